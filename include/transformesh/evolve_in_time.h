@@ -30,7 +30,7 @@ struct TimeOptions {
   double tolerance = 0;
   /// Longer steps are repeated if the topology changes. 0: no step is; negative: `end` / 1000.
   double event_tolerance = -1;
-  /// Restores the volume after remeshing: offsets vertices in proportion to their movement.
+  /// Restores the volume of each component after remeshing; offsets vertices along normals.
   bool keep_volume = false;
   std::string bodies = {};  ///< face column with the number of the body; bodies may not meet
   double gap = 0;           ///< least distance of two bodies; input units; > 0 with `bodies`

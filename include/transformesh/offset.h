@@ -5,7 +5,7 @@
 ///
 /// Guarantees: an oriented manifold without self-intersections, subject to the limits of remesh().
 /// The result reports its deviation from the exact offset, and whether parts thinner than an edge
-/// are lost. Concave corners are rounded by about an edge. Columns are carried as by remesh().
+/// are lost. Corners are cut off where they are thinner than an edge. Columns: as by remesh().
 #pragma once
 #include <cstddef>
 #include <optional>
@@ -30,7 +30,7 @@ struct OffsetDeviation {
 struct OffsetResult {
   std::size_t iterations = 0;
   bool has_arrived = false;  ///< vertices are within 1/100 edge of the offset, or came no closer
-  bool has_missed = false;   ///< `missed` is larger than edges explain: a thin part is lost
+  bool has_missed = false;   ///< `missed` is larger than edges explain: a thin part or gap is lost
   double edge = 0;           ///< edge length that was used; input units
   Topology topology;
   OffsetDeviation deviation;

@@ -11,7 +11,9 @@
 #include "step/limit_movements.h"
 #include "support/error_prefix.h"
 #include "support/number.h"
+#include "transformesh/components.h"
 #include "transformesh/errors.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {
@@ -48,6 +50,10 @@ Body body_of(const Document& document, double number, const std::vector<Index>& 
   mesh.vertex_columns = whole.vertex_columns.select(body.vertices);
   mesh.face_columns = whole.face_columns.select(faces);
   return body;
+}
+
+[[noreturn]] void rethrow_with_body(const Body& body) {
+  rethrow_with_prefix("body " + shortest_text(body.number) + ": ");
 }
 
 /// Returns all bodies except one as a mesh without columns.
@@ -119,38 +125,68 @@ Topology clean_bodies(Document& document, const BodyContact& contact, bool outer
   std::vector<Body> bodies = split_bodies(document, contact.column);
   Topology sum;
   for (Body& body : bodies) {
-    const Topology part = clean_in_place(body.document, progress, outermost).topology;
-    sum.components += part.components;
-    sum.genus += part.genus;
+    try {
+      const Topology part = clean_in_place(body.document, progress, outermost).topology;
+      sum.components += part.components;
+      sum.genus += part.genus;
+    } catch (const Error&) {
+      rethrow_with_body(body);
+    }
   }
   join_bodies(bodies, contact.column, document);
   return sum;
 }
 
-IterationResult iterate_bodies(Document& document, const std::vector<Vec3>& displacements,
-                               const BodyContact& contact, const IterationOptions& options,
-                               const Progress& progress) {
+namespace {
+
+/// Moves, cleans and remeshes body `i`.
+BodiesResult iterate_body(std::vector<Body>& bodies, std::size_t i, std::vector<Vec3> movements,
+                          double gap, IterationOptions options,
+                          const std::function<bool(ErrorKind)>& may_vanish,
+                          const Progress& progress) {
+  Document& document = bodies[i].document;
+  const Mesh others = others_of(bodies, i);
+  const KeepOutOptions keep_out{others.faces.empty() ? nullptr : &others, gap};
+  options.remesh.keep_out = keep_out;
+  double moved_volume = 0;
+  BodiesResult result;
+  result.iteration.vertices = movements.size();
+  result.iteration.was_cleaned = true;
+  const auto move = [&](Mesh& mesh, const Progress&) {
+    LimitedMovements limited;
+    if (keep_out.surface != nullptr)
+      limited = limit_movements(mesh, keep_out, document.style.coordinate, movements);
+    result.iteration.displaced = move_vertices(mesh, movements, halfedge_lengths(mesh).mean);
+    result.iteration.displaced.held_back = limited.held_back;
+    moved_volume = volume(mesh);
+    return result.iteration.displaced;
+  };
+  try {
+    result.iteration = iterate(document, move, options, progress);
+  } catch (const GoalError& error) {
+    if (!may_vanish(error.kind())) throw;
+    document.mesh = select_faces(document.mesh, std::vector<bool>(document.mesh.faces.size()));
+  }
+  if (!result.iteration.was_cleaned) result.remeshed = volume(document.mesh) - moved_volume;
+  return result;
+}
+
+}  // namespace
+
+BodiesResult iterate_bodies(Document& document, const std::vector<Vec3>& displacements,
+                            const BodyContact& contact, const IterationOptions& options,
+                            const std::function<bool(ErrorKind)>& may_vanish,
+                            const Progress& progress) {
   std::vector<Body> bodies = split_bodies(document, contact.column);
-  IterationResult sum;
+  BodiesResult sum;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    Body& body = bodies[i];
-    const Mesh others = others_of(bodies, i);
-    const KeepOutOptions keep_out{others.faces.empty() ? nullptr : &others, contact.gap};
-    IterationOptions own = options;
-    own.remesh.keep_out = keep_out;
-    const auto move = [&](Mesh& mesh, const Progress&) {
-      std::vector<Vec3> movements = selected(displacements, body.vertices);
-      LimitedMovements limited;
-      if (keep_out.surface != nullptr)
-        limited = limit_movements(mesh, keep_out, document.style.coordinate, movements);
-      DisplaceResult result = move_vertices(mesh, movements, halfedge_lengths(mesh).mean);
-      result.held_back = limited.held_back;
-      return result;
-    };
     try {
-      add(iterate(body.document, move, own, progress), sum);
+      const BodiesResult part = iterate_body(bodies, i, selected(displacements, bodies[i].vertices),
+                                             contact.gap, options, may_vanish, progress);
+      add(part.iteration, sum.iteration);
+      sum.remeshed += part.remeshed;
     } catch (const Error&) {
-      rethrow_with_prefix("body " + shortest_text(body.number) + ": ");
+      rethrow_with_body(bodies[i]);
     }
   }
   join_bodies(bodies, contact.column, document);

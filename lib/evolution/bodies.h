@@ -6,9 +6,11 @@
 /// bodies.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
+#include "transformesh/error_kind.h"
 #include "transformesh/iteration.h"
 
 namespace transformesh {
@@ -38,10 +40,17 @@ void join_bodies(const std::vector<Body>& bodies, const std::string& column, Doc
 Topology clean_bodies(Document& document, const BodyContact& contact, bool outermost,
                       const Progress& progress);
 
-/// Makes one iteration. `displacements` has an entry per vertex of the document. Throws InputError,
-/// naming a body, if two bodies intersect.
-IterationResult iterate_bodies(Document& document, const std::vector<Vec3>& displacements,
-                               const BodyContact& contact, const IterationOptions& options,
-                               const Progress& progress);
+struct BodiesResult {
+  IterationResult iteration;  ///< sums over all bodies
+  double remeshed = 0;        ///< change of volume by remeshing, of bodies that were not cleaned
+};
+
+/// Makes one iteration. `displacements` has an entry per vertex of the document. A body that
+/// shrinks to nothing is removed if `may_vanish` returns true for the kind of the error. Throws
+/// InputError, naming a body, if two bodies intersect.
+BodiesResult iterate_bodies(Document& document, const std::vector<Vec3>& displacements,
+                            const BodyContact& contact, const IterationOptions& options,
+                            const std::function<bool(ErrorKind)>& may_vanish,
+                            const Progress& progress);
 
 }  // namespace transformesh

@@ -17,6 +17,14 @@ LabeledStates by_label(std::vector<ComponentState> states) {
   return result;
 }
 
+/// Removes the states with these labels, and returns them.
+LabeledStates taken_from(LabeledStates& states, const std::vector<long>& labels) {
+  LabeledStates taken;
+  for (const long label : labels)
+    if (auto node = states.extract(label)) taken.insert(std::move(node));
+  return taken;
+}
+
 bool takes_part(const Event& event, long label) {
   const auto has = [&](const std::vector<LabeledVolume>& components) {
     return std::ranges::find(components, label, &LabeledVolume::label) != components.end();
@@ -108,12 +116,13 @@ void EventFinder::measure_before() {
 
 void EventFinder::see(const Mesh& moved, Mesh& cleaned) {
   measure_before();
+  const LabeledStates were = taken_from(now_, face_labels(moved));
   const Components components = connected_components(cleaned);
   std::vector<ComponentState> states = component_states(cleaned, components);
-  if (!is_same_topology(now_, states)) {
-    assign_labels(now_, states, label_after_step_);
+  if (!is_same_topology(were, states)) {
+    assign_labels(were, states, label_after_step_);
     const std::vector<Seam> seams = find_seams(moved, cleaned, components);
-    for (Event& event : find_events(now_, states, seams)) {
+    for (Event& event : find_events(were, states, seams)) {
       if (separates(event)) event.size = free_diameter(before_, event.place);
       found_.push_back(std::move(event));
     }
@@ -121,7 +130,7 @@ void EventFinder::see(const Mesh& moved, Mesh& cleaned) {
   }
   // Write labels even if the topology is unchanged: faces that cleaning created have no label.
   write_labels(cleaned, components, states);
-  now_ = by_label(std::move(states));
+  now_.merge(by_label(std::move(states)));
 }
 
 void EventFinder::end_step(const Mesh& mesh, std::size_t iteration, double time) {

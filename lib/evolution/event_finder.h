@@ -45,6 +45,8 @@ class EventFinder {
   }
 
  private:
+  /// Compares a mesh before and after cleaning. If bodies are cleaned one by one (bodies.h), these
+  /// are the meshes of a body.
   void see(const Mesh& moved, Mesh& cleaned);
   bool is_brief(const Event& event, const std::set<long>& labels) const;
   void measure_before();

@@ -21,7 +21,6 @@
 #include "evolution/time_span.h"
 #include "evolution/volume_keeper.h"
 #include "mesh/local_measures.h"
-#include "mesh/surface_columns.h"
 #include "support/empty_result_error.h"
 #include "support/number.h"
 #include "transformesh/errors.h"
@@ -73,6 +72,7 @@ class TimeLoop : public Loop {
     is_closed_ = check_manifold(document.mesh).is_closed();
     if (options_.keep_volume && !is_closed_)
       throw InputError("only a closed mesh has a volume to keep");
+    split_edges(document, progress);
     is_done_ = document.mesh.faces.empty();
     if (events_) events_->start(document.mesh);
     measure_surface(document.mesh);
@@ -176,22 +176,36 @@ class TimeLoop : public Loop {
     return clean_in_place(document, progress, iteration_.outermost).topology;
   }
 
+  /// Splits long edges of the source. `curved` changes the volume if it smooths large faces.
+  void split_edges(Document& document, const Progress& progress) {
+    IterationOptions splits = iteration_;
+    // Vertices on curves could reach other bodies.
+    if (!options_.bodies.empty()) splits.remesh.curved = false;
+    const double before = volume(document.mesh);
+    split_long_edges(document, splits, progress);
+    if (is_closed_) drift_ = volume(document.mesh) - before;
+  }
+
   void iterate_along(Document& document, const TrialStep& step, double mean_edge,
                      const Progress& progress) {
     iteration_.expects_changes = last_.was_cleaned;
+    if (events_) events_->begin_step(document.mesh);
     if (!options_.bodies.empty()) {
-      last_ =
-          iterate_bodies(document, step.integrated.displacements, contact(), iteration_, progress);
+      const BodiesResult result = iterate_bodies(
+          document, step.integrated.displacements, contact(), iteration_,
+          [&](ErrorKind kind) { return may_vanish(kind); }, progress);
+      last_ = result.iteration;
       last_.displaced.mean_edge = mean_edge;
+      remeshed_ = result.remeshed;
       return;
     }
-    if (events_) events_->begin_step(document.mesh);
     DisplaceResult displaced;
+    double moved_volume = 0;
     const auto move = [&](Mesh& mesh, const Progress&) {
       const std::vector<Vec3>& displacements = step.integrated.displacements;
       displaced = move_vertices(mesh, displacements, mean_edge);
       if (options_.keep_volume) keeper_.begin(mesh, displacements);
-      moved_volume_ = volume(mesh);
+      moved_volume = volume(mesh);
       return displaced;
     };
     try {
@@ -203,6 +217,7 @@ class TimeLoop : public Loop {
       last_.displaced = displaced;
       last_.was_cleaned = true;
     }
+    remeshed_ = last_.was_cleaned ? 0 : volume(document.mesh) - moved_volume;
   }
 
   /// True if the error of a step means that the surface has shrunk to nothing. If steps are not
@@ -226,8 +241,7 @@ class TimeLoop : public Loop {
     topology_ = last_.topology;
     is_done_ = is_end || mesh.faces.empty() || end_rule_.add(last_);
     measure_surface(mesh);
-    const bool is_remeshed_only = options_.bodies.empty() && is_closed_ && !last_.was_cleaned;
-    if (!options_.keep_volume && is_remeshed_only) drift_ += volume_ - moved_volume_;
+    if (!options_.keep_volume && is_closed_) drift_ += remeshed_;
   }
 
   void measure_surface(const Mesh& mesh) {
@@ -247,7 +261,7 @@ class TimeLoop : public Loop {
   double span_ = 0;       ///< time span of the last step
   double next_span_ = 0;  ///< result of next_span() for the last step that was not near an event
   double volume_ = 0, area_ = 0, drift_ = 0, max_move_ = 0;
-  double moved_volume_ = 0;  ///< volume after the motion of the last step, before remeshing
+  double remeshed_ = 0;  ///< change of volume by remeshing in the last step, without cleaning
   std::size_t repeated_ = 0, held_back_ = 0;
   bool is_closed_ = false, is_done_ = false;
 };
@@ -257,8 +271,11 @@ class TimeLoop : public Loop {
 TimeResult evolve_in_time(Document& document, const Motion& motion, const TimeOptions& time,
                           const EvolveOptions& options, const LoopOptions& loop_options,
                           Record& record, const Progress& progress) {
-  TimeLoop loop(motion, completed(time), completed(options.iteration, document.mesh), options.until,
-                time.bodies.empty() && (options.finds_events || record.has_events()));
+  IterationOptions iteration = completed(options.iteration, document.mesh);
+  // A cavity of a body may hold another body. If it were filled, both bodies would overlap.
+  if (!time.bodies.empty()) iteration.outermost = false;
+  TimeLoop loop(motion, completed(time), iteration, options.until,
+                options.finds_events || record.has_events());
   run_loop(loop, document, loop_options, record, progress);
   return loop.result(record.iteration(), document);
 }

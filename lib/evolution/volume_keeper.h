@@ -1,6 +1,8 @@
-/// Restores the volume after cleaning and remeshing have changed it (TimeOptions::keep_volume).
-/// Vertices move along the gradient of the volume. Their movement is in proportion to their
-/// movement in the step, so that parts at rest stay in place.
+/// Restores the volume of each component after cleaning and remeshing have changed it
+/// (TimeOptions::keep_volume). Vertices move along the gradient of the volume. Their movement is in
+/// proportion to their movement in the step, so that parts at rest stay in place. In a step in
+/// which components merge or split, their common volume is restored. A cavity is a component with
+/// negative volume.
 #pragma once
 
 #include <vector>
@@ -11,21 +13,22 @@ namespace transformesh {
 
 class VolumeKeeper {
  public:
-  /// Call after the movement and before cleaning. Stores the volume, and the length of each
-  /// vertex's movement as a vertex column, which cleaning and remeshing interpolate.
+  /// Call after the movement and before cleaning. Stores the volume of each component. Adds the
+  /// number of each face's component as a face column, and the length of each vertex's movement as
+  /// a vertex column. Cleaning and remeshing interpolate the latter.
   void begin(Mesh& mesh, const std::vector<Vec3>& displacements);
 
-  /// Call after remeshing. Removes the column and restores the volume, up to the rounding of the
+  /// Call after remeshing. Removes the columns and restores volumes, up to the rounding of the
   /// document's coordinates. Returns true if vertices moved; the mesh must then be cleaned again.
-  /// Leaves the mesh unchanged if vertices would have to move farther than a tenth of the mean
-  /// edge, for example after a component has vanished.
+  /// Leaves a component unchanged if its vertices would have to move farther than a tenth of the
+  /// mean edge, for example after surfaces have merged.
   bool restore(Document& document) const;
 
-  /// Returns the volume that begin() measured.
-  double volume() const { return volume_; }
+  /// Returns the sum of the volumes that begin() measured.
+  double volume() const;
 
  private:
-  double volume_ = 0;
+  std::vector<double> volumes_;  ///< volume of each component, in order of their first faces
 };
 
 /// Moves each vertex by `distance * weights[v]` along the gradient of the volume. `distance` is

@@ -101,6 +101,17 @@ END
   awk 'NR == 1 { lost = $1 } END { exit !(lost < -5e-4 && $1 > -1e-5 && $1 < 1e-5) }' errors
 }
 
+@test "each body keeps its own volume beside another one" {
+  tm-shape sphere --radius 0.5 --faces 2000 --center 3,0,0 --double | tm-cat "$ball" - -o two.ply
+  tm-evolve two.ply -o out.ply -q --time 0.1 --time-step 0.001 --keep-volume \
+    --flow volume-preserving-curvature
+  for place in 1,0,0 3,0,0; do
+    for mesh in two out; do tm-select -q --around $place $mesh.ply | tm-info --get volume; done
+  done >volumes
+  awk '{ v[NR] = $1 } END { e = v[2] / v[1] - 1; f = v[4] / v[3] - 1
+    exit !(e < 1e-10 && e > -1e-10 && f < 1e-10 && f > -1e-10) }' volumes
+}
+
 @test "volume lost to 32-bit rounding is reported, and the advised conversion avoids it" {
   tm-shape sphere --faces 1000 --center 1,0,0 --float -o float.ply
   keep() { run --separate-stderr tm-evolve "$1" -o out.ply --time 1 --velocity "$once" --keep-volume; }
@@ -213,6 +224,18 @@ END
   }
   awk -v even="$(distance)" -v adaptive="$(distance --adaptive 0.03x)" \
     'BEGIN { exit adaptive > 0.2 || even < 2 * adaptive }'
+}
+
+@test "curved remeshing of long edges changes the volume, and the advice avoids it" {
+  tm-shape sphere --faces 320 --double -o coarse.ply
+  carry() { run --separate-stderr tm-evolve "$1" --curved --max-edge 0.1 --min-edge 0.05 --time 0.1 --flow translation -o out.ply; }
+  carry coarse.ply
+  assert_status 0
+  [[ $stderr == *"remeshing changed the volume by 0."*": remesh the source first, by tm-remesh --edge LENGTH, or use shorter edges"* ]]
+  tm-remesh -q --edge 0.08 coarse.ply -o fine.ply
+  carry fine.ply
+  assert_status 0
+  [[ $stderr != *"remeshing changed"* ]]
 }
 
 @test "a surface that vanishes ends the run, and a note gives the time" {

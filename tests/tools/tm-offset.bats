@@ -78,6 +78,39 @@ setup() {
   tm-info --get volume "$BATS_TEST_TMPDIR/plate.ply" | awk '{ exit !($1 > 1.7 && $1 < 1.87) }'
 }
 
+@test "a narrow groove that is filled is reported as a gap, and the edge that is named comes nearer" {
+  # The groove has an angle of 10 degrees.
+  cat >wedge.off <<'END'
+OFF
+6 8 0
+-0.3 -1 0
+0.7 -1 -0.0875
+0.7 -1 0.0875
+-0.3 1 0
+0.7 1 -0.0875
+0.7 1 0.0875
+3 0 1 2
+3 3 5 4
+3 0 3 4
+3 0 4 1
+3 1 4 5
+3 1 5 2
+3 2 5 3
+3 2 3 0
+END
+  tm-shape box 1 1.5 1.5 --faces 12 -o block.off
+  tm-boolean difference block.off wedge.off -q -o groove.off
+  move() {
+    run --separate-stderr tm-offset --distance 0.02 --edge "$1" groove.off --report r.json -o out.ply
+    assert_status 0
+  }
+  move 0.03
+  [[ $stderr == *"because parts or gaps thinner than an edge are lost; shorter edges come nearer: --edge 0.015" ]]
+  before=$(jq .result.missed_max r.json)
+  move "${stderr##*--edge }"
+  jq -e --argjson before "$before" '.result.missed_max < $before' r.json
+}
+
 @test "--miter keeps corners sharp: a box becomes the larger or the smaller box" {
   while read -r distance volume; do
     tm-shape box 1 2 3 --faces 500 | tm-offset --miter --distance "$distance" -o box.ply

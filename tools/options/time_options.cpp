@@ -159,10 +159,12 @@ void note_time(const TimeResult& result, const TimeChoices& choices, Run& run) {
       std::max(std::abs(result.volume), std::abs(result.volume - result.volume_drift));
   if (!choices.options.keep_volume && result.evolution.last.faces > 0 &&
       std::abs(result.volume_drift) > 0.01 * volume) {
-    run.note("remeshing changed the volume by " + significant(result.volume_drift, 3) +
-             (run.program().options.find("curved")->is_given
-                  ? ": use shorter edges, by --min-edge and --max-edge"
-                  : ": --curved keeps the volume and sharp edges"));
+    run.note(
+        "remeshing changed the volume by " + significant(result.volume_drift, 3) +
+        (run.program().options.find("curved")->is_given
+             ? ": remesh the source first, by tm-remesh --edge LENGTH, or use shorter edges, by "
+               "--min-edge and --max-edge"
+             : ": --curved keeps the volume and sharp edges"));
   }
   if (choices.options.keep_volume &&
       std::abs(result.volume_drift) > 1e-9 * std::abs(result.volume)) {
@@ -171,7 +173,8 @@ void note_time(const TimeResult& result, const TimeChoices& choices, Run& run) {
              ", which could not be restored" +
              (is_float
                   ? ": 32-bit coordinates are rounded; run tm-convert --double first"
-                  : ": it changed where the surface merged, split, vanished or lost sharp edges"));
+                  : ": it changed where the surface merged, split, vanished, lost sharp edges, or "
+                    "had edges longer than --max-edge"));
   }
 }
 

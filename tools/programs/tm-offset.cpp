@@ -20,7 +20,8 @@ struct Choices {
 void note_missed(const OffsetResult& result, tool::Run& run) {
   run.note("the surface did not converge: it is " + significant(result.deviation.missed, 3) +
            " from the offset at " + point_text(result.deviation.missed_at) +
-           ", because parts thinner than an edge are lost; use shorter edges: --edge " +
+           ", because parts or gaps thinner than an edge are lost; shorter edges come nearer: "
+           "--edge " +
            significant(result.edge / 2, 3));
 }
 

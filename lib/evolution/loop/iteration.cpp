@@ -237,6 +237,19 @@ RemeshResult remesh_in_place(Document& document, const IterationOptions& options
   return result;
 }
 
+void split_long_edges(Document& document, const IterationOptions& options,
+                      const Progress& progress) {
+  RemeshOptions splits = remesh_options(document, options);
+  if (!(edge_lengths(document.mesh).maximum > splits.max_edge)) return;
+  splits.min_edge = 1e-9 * splits.max_edge;  // so short that no edge collapses
+  splits.adaptive_error = 0;
+  splits.flip = FlipRule::none;
+  splits.smoothing = Smoothing::none;
+  splits.pinch = 0;
+  transformesh::remesh(document.mesh, splits, progress);
+  round_as_written(document);
+}
+
 IterationResult iterate(Document& document, const Step& step, const IterationOptions& options,
                         const Progress& progress) {
   IterationResult result;

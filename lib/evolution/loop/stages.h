@@ -19,6 +19,11 @@ RemeshResult remesh_in_place(Document& document, const IterationOptions& options
                              const Progress& progress = Progress(),
                              std::vector<Index> opposites = {});
 
+/// Splits edges longer than `max_edge`, and changes nothing else. A motion would move the long
+/// faces of a coarse mesh as a whole.
+void split_long_edges(Document& document, const IterationOptions& options,
+                      const Progress& progress = Progress());
+
 struct CleanedTopology {
   Topology topology;
   bool changed = false;

@@ -9,6 +9,7 @@
 #include "helpers/shapes.h"
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
+#include "transformesh/flow.h"
 #include "transformesh/intersect.h"
 #include "transformesh/measure.h"
 
@@ -112,6 +113,60 @@ TEST_CASE("an inner shell that grows faster stops at the outer one") {
   CHECK(middle > 0.85 * outer);
 }
 
+TEST_CASE("a body that vanishes is an event, and the other bodies go on") {
+  const std::vector<Vec3> centers{{0, 0, 0}, {3, 0, 0}};
+  Document document = document_of({ball(0.3, centers[0]), ball(1, centers[1])});
+  EvolveOptions options = unsmoothed();
+  options.finds_events = true;
+  const TimeOptions time{.end = 0.5, .bodies = "body", .gap = 0.02};
+  const TimeResult result = evolve_in_time(document, growing(centers, {-1, 0.2}), time, options);
+  CHECK(result.evolution.is_done);
+  CHECK(result.evolution.last.topology == Topology{1, 0});
+  REQUIRE(result.evolution.events.size() == 1);
+  const Event& event = result.evolution.events[0];
+  CHECK(event.kind == EventKind::component_vanished);
+  CHECK(event.place.norm() < 0.05);
+  CHECK(event.time == doctest::Approx(0.3).epsilon(0.15));
+  const std::vector<Body> bodies = split_bodies(document, "body");
+  REQUIRE(bodies.size() == 1);
+  CHECK(bodies[0].number == 1);
+  CHECK(volume(document.mesh) ==
+        doctest::Approx(4 * std::numbers::pi / 3 * std::pow(1.1, 3)).epsilon(0.02));
+}
+
+TEST_CASE("parts of a body that merge are an event of that body") {
+  Document document =
+      document_of({test::joined(ball(1, {0, 0, 0}), ball(1, {2.2, 0, 0})), ball(0.5, {0, 3, 0})});
+  EvolveOptions options = unsmoothed();
+  options.finds_events = true;
+  const TimeOptions time{.end = 0.2, .bodies = "body", .gap = 0.02};
+  const TimeResult result = evolve_in_time(document, make_flow("normal").motion, time, options);
+  REQUIRE(result.evolution.events.size() == 1);
+  const Event& event = result.evolution.events[0];
+  CHECK(event.kind == EventKind::merge);
+  CHECK(event.time == doctest::Approx(0.1).epsilon(0.1));
+  CHECK(connected_components(document.mesh).components.size() == 2);
+}
+
+TEST_CASE("a cavity that holds another body is not filled") {
+  Mesh cavity = ball(0.6, {0, 0, 0});
+  for (Face& face : cavity.faces) std::swap(face[0], face[1]);
+  const Mesh shell = test::joined(ball(1, {0, 0, 0}), cavity);
+  Document document = document_of({shell, ball(0.3, {0, 0, 0})});
+  const TimeOptions time{.end = 0.1, .bodies = "body", .gap = 0.02};
+  evolve_in_time(document, make_flow("translation").motion, time, unsmoothed());
+  CHECK(volume_of(document, 0) == doctest::Approx(volume(shell)).epsilon(0.01));
+}
+
+TEST_CASE("volume that bodies lose by remeshing is reported") {
+  Document document = document_of({test::cuboid(Vec3::Zero(), {2, 1, 0.3})});
+  const TimeOptions time{.end = 1, .bodies = "body", .gap = 0.02};
+  const TimeResult result =
+      evolve_in_time(document, make_flow("translation").motion, time, unsmoothed());
+  CHECK(result.volume_drift < -0.01);
+  CHECK(volume(document.mesh) - result.volume_drift == doctest::Approx(0.6));
+}
+
 TEST_CASE("bodies that intersect at the beginning are refused with their number") {
   const std::vector<Vec3> centers{{-0.5, 0, 0}, {0.5, 0, 0}};
   Document document = document_of({ball(1, centers[0]), ball(1, centers[1])});
@@ -122,6 +177,15 @@ TEST_CASE("bodies that intersect at the beginning are refused with their number"
   } catch (const InputError& error) {
     CHECK(std::string(error.what()).find("body 0: ") != std::string::npos);
   }
+}
+
+TEST_CASE("a body that is inside out is refused with its number") {
+  Document document = document_of({ball(1, {0, 0, 0}), ball(1, {3, 0, 0})});
+  for (std::size_t f = document.mesh.faces.size() / 2; f < document.mesh.faces.size(); ++f)
+    std::swap(document.mesh.faces[f][0], document.mesh.faces[f][1]);
+  const TimeOptions time{.end = 0.5, .bodies = "body", .gap = 0.02};
+  CHECK_THROWS_WITH_AS(evolve_in_time(document, make_flow("normal").motion, time, unsmoothed()),
+                       doctest::Contains("body 1: "), GoalError);
 }
 
 TEST_CASE("bodies without a gap, or with volumes to keep, are refused") {

@@ -161,6 +161,22 @@ TEST_CASE("a ball that shrinks to nothing vanishes at the time of its radius") {
   CHECK(result.evolution.events[0].kind == EventKind::component_vanished);
 }
 
+TEST_CASE("long edges of the source are split before the first step") {
+  const double speed = 0.2;
+  for (const bool curved : {false, true}) {
+    Mesh mesh = test::cube();
+    EvolveOptions options = unsmoothed();
+    options.iteration.remesh.curved = curved;
+    options.iteration.max_edge = {0.1};
+    options.iteration.min_edge = {0.05};
+    evolve_in_time(mesh, make_flow("normal").motion, {.end = speed}, options);
+    // The points within a distance r of the unit cube have this volume, by Steiner's formula.
+    const double exact = 1 + 6 * speed + 3 * std::numbers::pi * speed * speed +
+                         4 * std::numbers::pi / 3 * std::pow(speed, 3);
+    CHECK(volume(mesh) == doctest::Approx(exact).epsilon(0.03));
+  }
+}
+
 TEST_CASE("volume that remeshing removes is reported") {
   Document document;
   document.mesh = test::cuboid(Vec3::Zero(), {2, 1, 0.3});
