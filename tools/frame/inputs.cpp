@@ -4,6 +4,7 @@
 #include "clean/open/join_soup.h"
 #include "io/formats/file_format.h"
 #include "io/streams/expand.h"
+#include "io/streams/file_list.h"
 #include "mesh/touching_borders.h"
 #include "support/counted.h"
 #include "transformesh/errors.h"
@@ -26,11 +27,39 @@ Entries counts_of(const std::vector<Document>& documents) {
   return {{"vertices", vertices}, {"faces", faces}};
 }
 
+namespace {
+
+/// Returns the place of an input file; for stdin, the place of the file that it comes from.
+std::string input_place(const std::string& path) {
+  return place_of(path == "-" ? "/dev/stdin" : path);
+}
+
+/// Returns the places of all files that the command line names as inputs.
+std::set<std::string> named_places(const Program& program) {
+  std::set<std::string> places;
+  for (const std::string& path : program.inputs) places.insert(input_place(path));
+  for (const Option& option : program.options) {
+    const std::string& kind = option.placeholder;
+    const bool is_input = !option.is_output && (kind == "FILE" || kind == "WHERE");
+    if (!is_input || option.text().empty()) continue;
+    places.insert(input_place(option.text()));
+    try {
+      for (const std::string& path : files_at(option.text())) places.insert(place_of(path));
+    } catch (const InputError&) {
+      // The program reports the missing file when it reads it.
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
 Inputs::Inputs(const Program& program, Messages& messages, Phases& phases)
     : program_(program),
       messages_(messages),
       phases_(phases),
-      basis_(program.common.reference_edge) {}
+      basis_(program.common.reference_edge),
+      places_(named_places(program)) {}
 
 void Inputs::read_all() {
   documents_.clear();
@@ -55,6 +84,7 @@ Bytes Inputs::read_once(const std::string& path) {
   if (path == "-" && stdin_is_read_)
     throw UsageError("standard input is named twice: name a file for one of the inputs");
   stdin_is_read_ = stdin_is_read_ || path == "-";
+  places_.insert(input_place(path));
   return transformesh::read_all(path);
 }
 

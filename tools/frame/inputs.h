@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "frame/messages.h"
 #include "frame/report.h"
 #include "io/length_basis.h"
+#include "io/streams/output_target.h"
 #include "io/streams/streams.h"
 #include "transformesh/document.h"
 #include "transformesh/mesh_io.h"
@@ -43,6 +45,10 @@ class Inputs {
   ReadOptions reading(const std::string& path) const {
     return {program_.common.strict, input_folder(path), program_.common.keep_polygons};
   }
+
+  /// True if the path leads to a file that the command line names as an input, or to one read so
+  /// far.
+  bool contains(const std::string& path) const { return places_.contains(place_of(path)); }
 
   /// Returns a length in input units. Percentages refer to the bounding box diagonal of the first
   /// mesh, or to the diagonal given to set_basis(). Factors such as 0.7x refer to the reference
@@ -91,6 +97,7 @@ class Inputs {
   std::string bytes_;
   Format format_ = Format::ply_little;
   bool stdin_is_read_ = false;
+  std::set<std::string> places_;  ///< all input files (place_of)
 };
 
 /// Returns the total numbers of vertices and faces.

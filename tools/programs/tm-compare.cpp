@@ -70,8 +70,8 @@ int main(int argc, char** argv) {
                          "completeness; 1% is 1 % of the diagonal of its box");
   program.options.length("within", &options.within,
                          "exit with 1 if hausdorff is larger than this (default: no limit)");
-  program.options.text(
-      "per-vertex", &options.per_vertex, "FILE",
+  program.options.output_file(
+      "per-vertex", &options.per_vertex,
       "write the mesh with the vertex property distance, the distance from the reference");
   program.options.flag("signed", &options.is_signed,
                        "with --per-vertex: distances are negative inside the reference");
