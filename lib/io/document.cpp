@@ -64,11 +64,7 @@ void append_lines(std::vector<std::string>& all, const std::vector<std::string>&
 }
 
 std::vector<std::string> append_separated(Document& all, const Document& other) {
-  Notes notes;
-  const Unit *first = unit_of(all), *second = unit_of(other);
-  if (first != nullptr && second != nullptr && first != second)
-    notes.push_back("the units differ, " + std::string(first->name) + " and " +
-                    std::string(second->name) + ": coordinates are joined without conversion");
+  Notes notes = notes_of_units(unit_of(all), unit_of(other));
   for (std::string& line : notes_of_missing_colors(all.mesh, other.mesh))
     notes.push_back(std::move(line));
   append_elements(all.other_elements, other.other_elements, all.mesh.positions.size(), notes);

@@ -64,7 +64,7 @@ Inputs::Inputs(const Program& program, Messages& messages, Phases& phases)
 void Inputs::read_all() {
   documents_.clear();
   const std::size_t count = program_.input.reads == Reads::meshes ? names().size() : 1;
-  for (std::size_t i = 0; i < count; ++i) documents_.push_back(read(names()[i]));
+  for (std::size_t i = 0; i < count; ++i) documents_.push_back(read_document(names()[i]));
   counts_ = counts_of(documents_);
 }
 
@@ -125,6 +125,16 @@ void Inputs::keep_bytes(std::string_view bytes, const ReadResult& result) {
 }
 
 Document Inputs::read(const std::string& path) {
+  Document document = read_document(path);
+  note_unit(unit_of(document));
+  return document;
+}
+
+void Inputs::note_unit(const Unit* other) const {
+  messages_.note_all(notes_of_units(unit_of(documents_.front()), other));
+}
+
+Document Inputs::read_document(const std::string& path) {
   phases_.begin("read");
   const Bytes bytes = read_once(path);
   ReadResult result = read_mesh(bytes.view(), input_name(path), reading(path));

@@ -9,6 +9,7 @@
 #include "entries/entries.h"
 #include "frame/messages.h"
 #include "frame/report.h"
+#include "io/document/unit.h"
 #include "io/length_basis.h"
 #include "io/streams/output_target.h"
 #include "io/streams/streams.h"
@@ -40,6 +41,8 @@ class Inputs {
 
   /// Reads another mesh or file that an option names. Stdin can be read only once.
   Document read(const std::string& path);
+  /// Prints a note if the first mesh and another mesh have different units.
+  void note_unit(const Unit* other) const;
   std::string read_bytes(const std::string& path) { return std::string(read_once(path).view()); }
   /// Returns the options for reading a file, as --strict and --keep-polygons set them.
   ReadOptions reading(const std::string& path) const {
@@ -79,6 +82,7 @@ class Inputs {
 
  private:
   Bytes read_once(const std::string& path);
+  Document read_document(const std::string& path);
   void keep_bytes(std::string_view bytes, const ReadResult& result);
   /// check_tile() refuses a tile of a larger mesh or prints a note about it. treat_soup() treats a
   /// mesh whose faces touch without sharing vertices (a soup). Depending on InputRules::soups, it

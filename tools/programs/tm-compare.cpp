@@ -1,5 +1,6 @@
 /// tm-compare: measures the distances between a mesh and a reference.
 #include "frame/run.h"
+#include "io/document/unit.h"
 #include "transformesh/compare.h"
 #include "transformesh/errors.h"
 #include "transformesh/measure.h"
@@ -35,7 +36,10 @@ Mesh read_reference(const Options& options, tool::Run& run) {
     throw UsageError("one mesh is compared with one reference, but '" + run.in().names()[most] +
                      "' is an additional input");
   if (!options.reference.empty()) return run.in().read(options.reference).mesh;
-  if (documents.size() == 2) return std::move(documents[1].mesh);
+  if (documents.size() == 2) {
+    run.in().note_unit(unit_of(documents[1]));
+    return std::move(documents[1].mesh);
+  }
   throw UsageError(
       "name two files, a mesh and a reference, or give the reference with --reference");
 }

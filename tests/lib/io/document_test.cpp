@@ -69,7 +69,7 @@ TEST_CASE("joined documents keep the unit of the first, and differences are note
   second.style.comments = {"tm:unit meter"};
   CHECK(append(first, second) ==
         std::vector<std::string>{
-            "the units differ, millimeter and meter: coordinates are joined without conversion"});
+            "the units differ, millimeter and meter: coordinates are used without conversion"});
   CHECK(first.style.comments == std::vector<std::string>{"tm:unit millimeter"});
   CHECK(append(second, Document()).empty());
 }
