@@ -40,6 +40,14 @@ ColumnGroup color_group(const Columns& columns) {
   return first_group_of(columns, {{"red", "green", "blue", "alpha"}, {"red", "green", "blue"}});
 }
 
+bool are_in_range(const ColumnGroup& colors) {
+  return std::all_of(colors.begin(), colors.end(), [](const Column* column) {
+    const double full = full_intensity(column->type);
+    return std::all_of(column->values.begin(), column->values.end(),
+                       [&](double value) { return value >= 0 && value <= full; });
+  });
+}
+
 ColumnGroup texture_group(const Columns& columns) {
   return first_group_of(columns, {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}});
 }

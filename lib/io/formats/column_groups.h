@@ -17,6 +17,8 @@ using ColumnGroup = std::vector<const Column*>;
 ColumnGroup normal_group(const Columns& columns);  ///< returns the columns nx ny nz
 /// Returns the columns red green blue, and alpha if present.
 ColumnGroup color_group(const Columns& columns);
+/// True if all values are from 0 to full intensity.
+bool are_in_range(const ColumnGroup& colors);
 ColumnGroup texture_group(const Columns& columns);  ///< returns s t, u v or texture_u texture_v
 
 /// Returns `given` as a valid name of a PLY column. Blanks and bytes other than printable ASCII
