@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "transformesh/columns.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 
@@ -32,6 +32,10 @@ inline constexpr std::array<const char*, 4> color_channels{"red", "green", "blue
 /// the other part. The added values are white and opaque, in the same type.
 void add_missing_colors(Columns& first, std::size_t first_rows, Columns& second,
                         std::size_t second_rows);
+
+/// Replaces the columns of texture_group() by the face column `texcoord`. The corners of the faces
+/// have the vertices `corners`. Does nothing if these columns are missing or integers.
+void make_corner_texture(const std::vector<Face>& corners, Mesh& mesh);
 
 /// Returns the face column `texcoord`, which has a list of (u, v) pairs for each face: one pair for
 /// each corner, or an empty list. Faces have the corners in MergedPolygons::outlines if given,
