@@ -41,7 +41,7 @@ Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions
                    const Progress& progress = {});
 
 /// Return the distances of all vertices from the faces of the reference, or from its vertices if it
-/// has no faces. Signed distances, negative inside, need faces there. Throw like compare().
+/// has none. Signed distances, negative inside, need faces that are not inside out. Throw as above.
 std::vector<double> vertex_distances(const Mesh& mesh, const Mesh& reference,
                                      const Progress& progress = {});
 std::vector<double> signed_vertex_distances(const Mesh& mesh, const Mesh& reference,

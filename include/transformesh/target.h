@@ -19,6 +19,7 @@ struct Target {
   bool has_estimated_normals = false;  ///< normals were computed from neighboring points
   std::vector<double> thickness;       ///< local thickness at each vertex if measured, else empty
   bool has_spatial_order = false;      ///< faces are sorted for quick searches
+  std::string unit;                    ///< name of the unit of the file; empty if unknown
   std::vector<std::string> notes;      ///< changes made while reading, one line each
   bool is_prepared = false;            ///< the target was checked before it was written to its file
 

@@ -2,9 +2,10 @@
 ///
 /// Guarantees: vertices, faces and columns keep their order. Normals (nx ny nz of vertices and
 /// faces) are mapped by the inverse transpose and get unit length. Velocities (vx vy vz of
-/// vertices) are mapped by the linear part, as displacements are. Other columns stay. A negative
-/// determinant (mirror image) reverses faces and their corner lists, so that the outside stays
-/// outside. The mesh may be open or a soup. Floating point, the same on every machine. Cost: O(n).
+/// vertices) are mapped by the linear part, as displacements are. If they are integers, they become
+/// doubles. Other columns stay. A negative determinant (mirror image) reverses faces and their
+/// corner lists, so that the outside stays outside. The mesh may be open or a soup. Floating point,
+/// the same on every machine. Cost: O(n).
 #pragma once
 
 #include <Eigen/Core>

@@ -71,13 +71,12 @@ DocumentsBoolean combine_documents(const std::string& command, SheetSide side,
   return combined;
 }
 
-bool unite_length_comments(Document& all, const Document& read) {
+void unite_length_comments(Document& all, const Document& read) {
   std::vector<std::string>& comments = all.style.comments;
   const double moved = std::max(planarity_of(comments), planarity_of(read.style.comments));
   add_planarity(comments, moved - planarity_of(comments));
-  const Unit *first = unit_of(all), *second = unit_of(read);
-  if (first == nullptr && second != nullptr) set_unit(all, *second);
-  return first == nullptr || second == nullptr || first == second;
+  const Unit* const unit = unit_of(read);
+  if (unit_of(all) == nullptr && unit != nullptr) set_unit(all, *unit);
 }
 
 }  // namespace transformesh

@@ -35,7 +35,7 @@ DocumentsBoolean combine_documents(const std::string& command, SheetSide side,
 
 /// Merges the comments about lengths of `read` into those of `all`. If `all` has no length unit, it
 /// gets the unit of `read`. Of the bounds on the displacement by merged flat faces, the larger one
-/// is kept. Returns false if both documents have length units that differ.
-bool unite_length_comments(Document& all, const Document& read);
+/// is kept.
+void unite_length_comments(Document& all, const Document& read);
 
 }  // namespace transformesh

@@ -15,6 +15,7 @@
 #include "mesh/local_measures.h"
 #include "support/parallel.h"
 #include "transformesh/errors.h"
+#include "transformesh/manifold.h"
 #include "transformesh/measure.h"
 
 namespace transformesh {
@@ -204,6 +205,8 @@ std::vector<double> signed_vertex_distances(const Mesh& mesh, const Mesh& refere
   check_comparable(mesh, reference);
   if (reference.faces.empty())
     throw InputError("the reference has no faces: signed distances need a surface");
+  if (volume(reference) < 0 && check_manifold(reference).is_closed())
+    throw InputError(ErrorKind::inside_out, "the reference is inside out");
   const ClosestPointQuery closest(reference);
   const auto distance = [&](const Vec3& point) { return closest(point).signed_distance; };
   return distances(mesh.positions, distance, progress, "vertex distances");

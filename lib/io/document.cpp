@@ -6,7 +6,9 @@
 
 #include "io/document/edge_element.h"
 #include "io/document/missing_colors.h"
+#include "io/document/scalar.h"
 #include "io/document/unit.h"
+#include "io/formats/column_groups.h"
 #include "io/formats/obj_labels.h"
 
 namespace transformesh {
@@ -63,12 +65,16 @@ void append_lines(std::vector<std::string>& all, const std::vector<std::string>&
       all.push_back(line);
 }
 
-std::vector<std::string> append_separated(Document& all, const Document& other) {
-  Notes notes;
-  const Unit *first = unit_of(all), *second = unit_of(other);
-  if (first != nullptr && second != nullptr && first != second)
-    notes.push_back("the units differ, " + std::string(first->name) + " and " +
-                    std::string(second->name) + ": coordinates are joined without conversion");
+/// True if `first` has texture coordinates of vertices, and `second` those of face corners.
+bool differ_in_texture(const Mesh& first, const Mesh& second) {
+  const ColumnGroup group = texture_group(first.vertex_columns);
+  return !group.empty() && is_floating(group[0]->type) && !first.faces.empty() &&
+         corner_texture(first.face_columns) == nullptr &&
+         corner_texture(second.face_columns) != nullptr;
+}
+
+Notes append_separated(Document& all, const Document& other) {
+  Notes notes = notes_of_units(unit_of(all), unit_of(other));
   for (std::string& line : notes_of_missing_colors(all.mesh, other.mesh))
     notes.push_back(std::move(line));
   append_elements(all.other_elements, other.other_elements, all.mesh.positions.size(), notes);
@@ -84,12 +90,21 @@ std::vector<std::string> append_separated(Document& all, const Document& other) 
 }  // namespace
 
 std::vector<std::string> append(Document& all, const Document& other) {
-  if (have_obj_labels(all, other)) {
-    Document separated = other;
-    separate_obj_labels(all, separated);
-    return append_separated(all, separated);
-  }
-  return append_separated(all, other);
+  const bool have_labels = have_obj_labels(all, other);
+  const bool is_first_changed = differ_in_texture(all.mesh, other.mesh);
+  const bool is_other_changed = differ_in_texture(other.mesh, all.mesh);
+  if (is_first_changed) make_corner_texture(all.mesh.faces, all.mesh);
+  Document changed;
+  const bool is_copied = have_labels || is_other_changed;
+  if (is_copied) changed = other;
+  if (have_labels) separate_obj_labels(all, changed);
+  if (is_other_changed) make_corner_texture(changed.mesh.faces, changed.mesh);
+  Notes notes = append_separated(all, is_copied ? changed : other);
+  if (is_first_changed || is_other_changed)
+    notes.emplace_back(
+        "texture coordinates of vertices become lists for face corners (texcoord), as in the other "
+        "input");
+  return notes;
 }
 
 const char* name_of(Format format) {

@@ -57,7 +57,15 @@ Column split_lists(const Column& column, std::span<const PolygonTriangle> triang
 
 }  // namespace
 
+void make_floating(Column& column) {
+  if (column.type != Scalar::float32 && column.type != Scalar::float64)
+    column.type = Scalar::float64;
+}
+
 bool refresh_normals(Mesh& mesh) {
+  for (Columns* columns : {&mesh.vertex_columns, &mesh.face_columns})
+    if (const auto normals = normal_columns(*columns))
+      for (Column* column : *normals) make_floating(*column);
   const auto of_vertices = normal_columns(mesh.vertex_columns);
   if (of_vertices) {
     const std::vector<Vec3> normals = vertex_normals(mesh);
@@ -75,8 +83,12 @@ void reverse_normals(Mesh& mesh) {
   for (Columns* columns : {&mesh.vertex_columns, &mesh.face_columns}) {
     const auto normals = normal_columns(*columns);
     if (!normals) continue;
-    for (Column* column : *normals)
+    for (Column* column : *normals) {
+      const bool is_unsigned = column->type == Scalar::uint8 || column->type == Scalar::uint16 ||
+                               column->type == Scalar::uint32;
+      if (is_unsigned) make_floating(*column);
       for (double& value : column->values) value = 0 - value;
+    }
   }
 }
 

@@ -15,11 +15,14 @@
 
 namespace transformesh {
 
+/// Gives an integer column the type double, which holds the components of unit vectors.
+void make_floating(Column& column);
+
 /// Recomputes existing normals, weighted by angle. Normals that are undefined keep their old
-/// values. Returns true if there are normals.
+/// values. Integer columns become doubles. Returns true if there are normals.
 bool refresh_normals(Mesh& mesh);
 
-/// Negates all normals. Call if all faces were reversed.
+/// Negates all normals. Call if all faces were reversed. Unsigned columns become doubles.
 void reverse_normals(Mesh& mesh);
 
 /// Exchanges the values of the last two corners of a face in columns with values per face corner,

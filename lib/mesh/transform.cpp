@@ -87,13 +87,15 @@ int checked_sign(const Matrix4& matrix) {
   return sign;
 }
 
-/// Applies `map` to the vectors in three numeric columns, if they exist.
+/// Applies `map` to the vectors in three numeric columns, if they exist. Integer columns become
+/// doubles.
 void map_vectors(Columns& columns, const std::array<const char*, 3>& names, const auto& map) {
   std::array<Column*, 3> found{};
   for (std::size_t i = 0; i < 3; ++i) {
     found[i] = columns.find(names[i]);
     if (found[i] == nullptr || found[i]->list_count_type) return;
   }
+  for (Column* column : found) make_floating(*column);
   for (std::size_t row = 0; row < found[0]->values.size(); ++row) {
     const Vec3 vector =
         map(Vec3(found[0]->values[row], found[1]->values[row], found[2]->values[row]));

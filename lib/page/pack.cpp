@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "mesh/color_scale.h"
 #include "page/encode.h"
 
 namespace transformesh {
@@ -119,12 +120,13 @@ void add_numbers(const Column& column, const PackedColumn& packed, auto row_of, 
 void add_colors(const Columns& columns, const Order& order, PackedMesh& packed, Streams& streams) {
   const std::array channels{columns.find("red"), columns.find("green"), columns.find("blue")};
   for (const Column* channel : channels)
-    if (channel == nullptr || channel->type != Scalar::uint8) return;
+    if (channel == nullptr || channel->list_count_type) return;
   packed.columns.push_back({PackedColumn::Of::color, "color"});
   std::vector<std::uint32_t> bytes(order.vertices.size());
   for (const Column* channel : channels) {
     std::ranges::transform(order.vertices, bytes.begin(), [&](Index vertex) {
-      return static_cast<std::uint32_t>(channel->values[vertex]);
+      const double value = channel->values[vertex];
+      return std::isfinite(value) ? code(value, 0, full_intensity(channel->type), 255) : 0;
     });
     streams.add_differences(bytes, 1);
   }

@@ -1,5 +1,6 @@
 #include "picture/surface_color.h"
 
+#include "mesh/color_scale.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {
@@ -8,18 +9,6 @@ namespace {
 const Color default_front = color_of_srgb(0.66, 0.75, 0.86);
 const Color back = color_of_srgb(0.66, 0.30, 0.30);
 const Color highlighted = color_of_srgb(0.98, 0.60, 0.10);
-
-double full_intensity(Scalar type) {
-  switch (type) {
-    case Scalar::float32:
-    case Scalar::float64:
-      return 1;
-    case Scalar::uint16:
-      return 65535;
-    default:
-      return 255;
-  }
-}
 
 /// Returns one color per row; empty if a channel is missing.
 std::vector<Color> colors_of(const Columns& columns, std::size_t rows) {

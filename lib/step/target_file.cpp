@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/document/unit.h"
 #include "step/prepare_target.h"
 #include "transformesh/errors.h"
 #include "transformesh/mesh_io.h"
@@ -24,6 +25,7 @@ Target read_target(std::string_view bytes, const std::string& name, const ReadOp
   auto [document, notes, soup] = read_mesh(bytes, name, options);
   Target target = make_target(std::move(document.mesh));
   target.notes = std::move(notes);
+  if (const Unit* unit = unit_of(document)) target.unit = unit->name;
   target.is_prepared = has_comment(document, spatial_order);
   if (target.is_prepared) target.has_spatial_order = true;
   order_spatially(target);

@@ -18,8 +18,8 @@ setup() {
   }
   refused 2 '--output and --report have the same file' -o x.ply --report x.ply
   refused 2 '--output and --report have the same file' -o x.ply --report ./x.ply
-  refused 2 '--output and --csv have the same file' -o x.ply --csv x.ply
-  refused 2 '--report and --csv have the same file' -o x.ply --csv log --report log
+  refused 2 '--csv and --output have the same file' -o x.ply --csv x.ply
+  refused 2 '--csv and --report have the same file' -o x.ply --csv log --report log
   refused 2 '--report: name a file' -o x.ply --report -
   refused 2 'either --quiet or --verbose' -o x.ply -q -v
   refused 2 'either --progress or --no-progress' -o x.ply --progress --no-progress
@@ -69,7 +69,7 @@ setup() {
     [ ! -e x.ply ] && [ ! -e x.ply.tm-reconstruct ] && [ ! -e nodir ]
   }
   refused 2 '--output and --report have the same file' -o x.ply --report x.ply
-  refused 2 '--report and --csv have the same file' -o x.ply --report log --csv log
+  refused 2 '--csv and --report have the same file' -o x.ply --report log --csv log
   refused 2 'either --quiet or --verbose' -o x.ply -q -v
   refused 5 "cannot write 'nodir/x.ply'" -o nodir/x.ply
   for place in cameras images silhouettes start sequence; do

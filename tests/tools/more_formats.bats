@@ -155,7 +155,14 @@ PYTHON
   [[ $stderr == *"the mesh does not state its unit: give it with --from"* ]]
   tm-transform --from in --to in a.ply -o inch.ply
   run --separate-stderr tm-cat inch.ply a.stl -o all.ply
-  [[ $stderr == *"the units differ, inch and millimeter: coordinates are joined without conversion"* ]]
+  [[ $stderr == *"the units differ, inch and millimeter: coordinates are used without conversion"* ]]
+  for command in "tm-compare a.stl" "tm-compare a.stl --reference" "tm-align a.stl --reference" \
+    'tm-carry a.stl --closest --from' 'tm-morph-step a.3mf --target' \
+    'tm-morph --iterations 1 a.3mf -o /dev/null --target'; do
+    pipe_apart "$command inch.ply >/dev/null"
+    [[ $stderr == *"the units differ, millimeter and inch: coordinates are used without conversion"* ]] ||
+      fail "$command: $stderr"
+  done
   run --separate-stderr tm-transform --to in a.3mf -o b.stl
   assert_status 0
   [[ $stderr == *"the unit inch cannot be stored, and programs will assume millimeter"* ]]

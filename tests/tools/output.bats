@@ -178,7 +178,7 @@ setup() {
     run --separate-stderr tm-convert -o x.ply --report "$report" t.ply
     assert_status 2
     one_line "$stderr"
-    [[ $stderr == *"two outputs"* ]] || fail "$stderr"
+    [[ $stderr == *"have the same file"* ]] || fail "$stderr"
     [ ! -e x.ply ]
   done
   cp t.ply x.ply
@@ -186,4 +186,55 @@ setup() {
   assert_status 2
   cmp t.ply x.ply
   tm-convert -o /dev/null --report /dev/../dev/null t.ply
+}
+
+@test "no output replaces an input, except a main output of the same kind" {
+  cp t.ply other.ply
+  ln -s t.ply link.ply
+  ln t.ply hard.ply
+  sum=$(cat t.ply other.ply | cksum)
+  refused() { # COMMAND...
+    run --separate-stderr "$@"
+    assert_status 2
+    one_line "$stderr"
+    [[ $stderr == *"is an input, which would be lost: name another output file"* ]] || fail "$stderr"
+    [ "$(cat t.ply other.ply | cksum)" = "$sum" ]
+    [ ! -e x.ply ]
+  }
+  refused tm-convert t.ply --report t.ply
+  refused tm-convert link.ply --report ./t.ply
+  refused tm-convert t.ply --report link.ply -o x.ply
+  refused bash -c 'tm-convert --report t.ply <t.ply'
+  refused tm-info t.ply -o t.ply
+  refused tm-info t.ply --per-vertex t.ply
+  refused tm-compare t.ply other.ply -o other.ply
+  refused tm-compare t.ply --reference other.ply --per-vertex other.ply
+  refused tm-align t.ply --reference other.ply --write-matrix other.ply
+  refused tm-intersect t.ply --pairs t.ply
+  refused tm-intersect t.ply --segments t.ply
+  refused tm-repair t.ply --picture t.ply
+  refused tm-morph-step t.ply --target other.ply --write-target t.ply
+  refused tm-select --plane 0,0,1,0.1 t.ply --section t.ply
+  refused tm-evolve t.ply --step tm-convert -o x.ply --csv t.ply
+  refused tm-evolve t.ply --step tm-convert -o x.ply --events t.ply
+  refused tm-morph t.ply --target other.ply -o x.ply --report other.ply
+  cp t.ply part-001.ply
+  refused tm-select part-001.ply --split part -o x.ply
+  echo 'x = union t.ply other.ply' >script
+  refused tm-boolean --script script --report other.ply -o x.ply
+  # A hard link is another name of the same data, which stay under the name of the input.
+  tm-convert -q t.ply --report hard.ply -o /dev/null
+  tm-convert -q t.ply --report /dev/null -o /dev/null
+  tm-convert -q t.ply -o /dev/null --report /dev/stderr
+  [ "$(cat t.ply other.ply | cksum)" = "$sum" ]
+}
+
+@test "two options name the same output file" {
+  ln -s x.ply link
+  for pair in '--report x.ply --segments ./x.ply' '--pairs x.ply --segments link' '-o x.ply --pairs x.ply'; do
+    run --separate-stderr tm-intersect $pair t.ply
+    assert_status 2
+    [[ $stderr == *" have the same file: give each its own" ]] || fail "$stderr"
+    [ ! -e x.ply ]
+  done
 }

@@ -105,6 +105,25 @@ volume_difference: 0" ]
   one_line "$stderr"
 }
 
+@test "tm-compare: --signed says if signs can be wrong, and joins a soup" {
+  tm-shape box --float -o box.ply
+  tm-shape sphere --faces 500 --radius 0.6 -o ball.ply
+  tm-compare --signed --per-vertex d.ply ball.ply box.ply >/dev/null
+  tm-compare -q --signed --per-vertex soup.ply ball.ply <(tm-convert --format stl box.ply) >/dev/null
+  cmp d.ply soup.ply
+  tm-stitch -q --flip box.ply -o flipped.ply
+  run --separate-stderr tm-compare --signed --per-vertex e.ply ball.ply flipped.ply
+  assert_status 3
+  [[ $stderr == *"the reference is inside out; reverse it with tm-stitch --flip"* ]] || fail "$stderr"
+  [ ! -e e.ply ]
+  tm-select --box -2,-2,-2,2,2,0.2 box.ply -o open.ply
+  run --separate-stderr tm-compare --signed --per-vertex e.ply ball.ply open.ply
+  assert_status 0
+  [[ $stderr == *"signs of distances from the reference can be wrong: the edge"*"close holes with tm-fill" ]] || fail "$stderr"
+  run --separate-stderr tm-compare ball.ply flipped.ply
+  [ -z "$stderr" ]
+}
+
 @test "tm-compare: --signed is negative inside" {
   tm-shape sphere --faces 500 --radius 1 -o outer.ply
   tm-shape sphere --faces 500 --radius 0.5 -o inner.ply

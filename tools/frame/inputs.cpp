@@ -4,6 +4,7 @@
 #include "clean/open/join_soup.h"
 #include "io/formats/file_format.h"
 #include "io/streams/expand.h"
+#include "io/streams/file_list.h"
 #include "mesh/touching_borders.h"
 #include "support/counted.h"
 #include "transformesh/errors.h"
@@ -26,16 +27,44 @@ Entries counts_of(const std::vector<Document>& documents) {
   return {{"vertices", vertices}, {"faces", faces}};
 }
 
+namespace {
+
+/// Returns the place of an input file; for stdin, the place of the file that it comes from.
+std::string input_place(const std::string& path) {
+  return place_of(path == "-" ? "/dev/stdin" : path);
+}
+
+/// Returns the places of all files that the command line names as inputs.
+std::set<std::string> named_places(const Program& program) {
+  std::set<std::string> places;
+  for (const std::string& path : program.inputs) places.insert(input_place(path));
+  for (const Option& option : program.options) {
+    const std::string& kind = option.placeholder;
+    const bool is_input = !option.is_output && (kind == "FILE" || kind == "WHERE");
+    if (!is_input || option.text().empty()) continue;
+    places.insert(input_place(option.text()));
+    try {
+      for (const std::string& path : files_at(option.text())) places.insert(place_of(path));
+    } catch (const InputError&) {
+      // The program reports the missing file when it reads it.
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
 Inputs::Inputs(const Program& program, Messages& messages, Phases& phases)
     : program_(program),
       messages_(messages),
       phases_(phases),
-      basis_(program.common.reference_edge) {}
+      basis_(program.common.reference_edge),
+      places_(named_places(program)) {}
 
 void Inputs::read_all() {
   documents_.clear();
   const std::size_t count = program_.input.reads == Reads::meshes ? names().size() : 1;
-  for (std::size_t i = 0; i < count; ++i) documents_.push_back(read(names()[i]));
+  for (std::size_t i = 0; i < count; ++i) documents_.push_back(read_document(names()[i]));
   counts_ = counts_of(documents_);
 }
 
@@ -55,6 +84,7 @@ Bytes Inputs::read_once(const std::string& path) {
   if (path == "-" && stdin_is_read_)
     throw UsageError("standard input is named twice: name a file for one of the inputs");
   stdin_is_read_ = stdin_is_read_ || path == "-";
+  places_.insert(input_place(path));
   return transformesh::read_all(path);
 }
 
@@ -95,6 +125,16 @@ void Inputs::keep_bytes(std::string_view bytes, const ReadResult& result) {
 }
 
 Document Inputs::read(const std::string& path) {
+  Document document = read_document(path);
+  note_unit(unit_of(document));
+  return document;
+}
+
+void Inputs::note_unit(const Unit* other) const {
+  messages_.note_all(notes_of_units(unit_of(documents_.front()), other));
+}
+
+Document Inputs::read_document(const std::string& path) {
   phases_.begin("read");
   const Bytes bytes = read_once(path);
   ReadResult result = read_mesh(bytes.view(), input_name(path), reading(path));

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "entries/entries.h"
 #include "frame/messages.h"
 #include "frame/report.h"
+#include "io/document/unit.h"
 #include "io/length_basis.h"
+#include "io/streams/output_target.h"
 #include "io/streams/streams.h"
 #include "transformesh/document.h"
 #include "transformesh/mesh_io.h"
@@ -38,11 +41,17 @@ class Inputs {
 
   /// Reads another mesh or file that an option names. Stdin can be read only once.
   Document read(const std::string& path);
+  /// Prints a note if the first mesh and another mesh have different units.
+  void note_unit(const Unit* other) const;
   std::string read_bytes(const std::string& path) { return std::string(read_once(path).view()); }
   /// Returns the options for reading a file, as --strict and --keep-polygons set them.
   ReadOptions reading(const std::string& path) const {
     return {program_.common.strict, input_folder(path), program_.common.keep_polygons};
   }
+
+  /// True if the path leads to a file that the command line names as an input, or to one read so
+  /// far.
+  bool contains(const std::string& path) const { return places_.contains(place_of(path)); }
 
   /// Returns a length in input units. Percentages refer to the bounding box diagonal of the first
   /// mesh, or to the diagonal given to set_basis(). Factors such as 0.7x refer to the reference
@@ -73,6 +82,7 @@ class Inputs {
 
  private:
   Bytes read_once(const std::string& path);
+  Document read_document(const std::string& path);
   void keep_bytes(std::string_view bytes, const ReadResult& result);
   /// check_tile() refuses a tile of a larger mesh or prints a note about it. treat_soup() treats a
   /// mesh whose faces touch without sharing vertices (a soup). Depending on InputRules::soups, it
@@ -91,6 +101,7 @@ class Inputs {
   std::string bytes_;
   Format format_ = Format::ply_little;
   bool stdin_is_read_ = false;
+  std::set<std::string> places_;  ///< all input files (place_of)
 };
 
 /// Returns the total numbers of vertices and faces.

@@ -85,8 +85,8 @@ void declare_record(Program& program, LoopChoices& choices, const std::string& e
   program.options.text("frames", &choices.record.frames, "FOLDER",
                        "write meshes of the run to this folder, as frame-00000.ply and so on");
   program.options.integer("every", &choices.every, 1, 999999999, every);
-  program.options.text("csv", &choices.record.csv, "FILE",
-                       "write a CSV file with a line per " + rows);
+  program.options.output_file("csv", &choices.record.csv,
+                              "write a CSV file with a line per " + rows);
   program.options.text("run", &choices.run, "FOLDER",
                        "write the files that tm-report shows to this folder: initial mesh, frames, "
                        "log.csv, report.json, result.ply");
@@ -108,12 +108,9 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
     throw UsageError("--resume continues an output file: name it with -o OUT");
   if (options.resume && options.restart)
     throw UsageError("give either --resume or --restart, not both");
-  std::vector<std::string> files{"report", "csv"};
-  if (!options.events.empty()) files.emplace_back("events");
-  if (state.empty()) files.insert(files.begin(), "output");
   // If --run is given, all outputs are in its folder. The folder is created later, together with
   // the state, so only check here that it can be used.
-  choices.run.empty() ? run.out().check_files_of(files) : check_run_folder(choices.run);
+  choices.run.empty() ? run.out().check_files() : check_run_folder(choices.run);
   const std::string& name = run.program().name;
   report_interruption(name, is_continuable ? "; --resume continues" : "");
   if (state.empty() && is_continuable) state = name_beside(run.out().name(), "", '.' + name);

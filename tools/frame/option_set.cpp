@@ -168,6 +168,13 @@ Option& OptionSet::text(const std::string& names, std::string* value,
              [](const std::string& text) { return text; });
 }
 
+Option& OptionSet::output_file(const std::string& names, std::string* value,
+                               const std::string& help) {
+  Option& option = text(names, value, "FILE", help);
+  option.is_output = true;
+  return option;
+}
+
 Option& OptionSet::choice(const std::string& names, std::string* value,
                           const std::vector<std::string>& words, const std::string& help) {
   return choice(

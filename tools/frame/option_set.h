@@ -36,7 +36,8 @@ struct Option {
   bool affects_result = true;
   /// True: all programs have the option. The help lists it in a separate section.
   bool is_common = false;
-  bool is_listed = true;  ///< true: the help lists the option
+  bool is_listed = true;   ///< true: the help lists the option
+  bool is_output = false;  ///< true: the value is the name of a file that the program writes
   bool is_given = false;
 
   std::string name() const { return names.substr(0, names.find(',')); }
@@ -61,6 +62,8 @@ class OptionSet {
                  bool may_be_negative = false);
   Option& text(const std::string& names, std::string* value, const std::string& placeholder,
                const std::string& help);
+  /// Adds an option whose value is the name of a file that the program writes.
+  Option& output_file(const std::string& names, std::string* value, const std::string& help);
   /// Adds an option whose value is one of several words. For any other word, the usage error
   /// suggests the nearest word.
   Option& choice(const std::string& names, std::string* value,

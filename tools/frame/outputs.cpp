@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "clean/intersect/rounding_intersections.h"
 #include "io/comments.h"
@@ -54,21 +55,29 @@ void Outputs::check_name() const {
     throw UsageError("not writing a picture to a terminal: redirect it or name a file with -o");
 }
 
-void Outputs::check_files_of(const std::vector<std::string>& options) const {
-  std::vector<std::pair<std::string, std::string>> names;
-  for (const std::string& option : options) {
-    const std::string path = program_.options.find(option)->text();
-    if (path == "-" && option != "output")
-      throw UsageError("--" + option + ": name a file, because standard output holds the mesh");
-    if (path == "-" || (path.empty() && option != "output")) continue;
+void Outputs::check_files() const {
+  const bool may_replace_input = program_.writes_mesh() || program_.output.writes == Writes::text;
+  std::map<std::string, std::string> options;  // names of options by the place of their file
+  for (const Option& option : program_.options) {
+    const std::string path = option.text();
+    const std::string dashed = "--" + option.name();
+    const bool is_main = option.name() == "output";
+    if (!option.is_output || (path.empty() && !is_main)) continue;
+    if (path == "-" && !is_main && program_.is_evolution())
+      throw UsageError(dashed + ": name a file, because standard output holds the mesh");
     check_writable(path);
-    if (is_written_directly(end_of_links(path))) continue;
-    for (const auto& [other, other_path] : names)
-      if (is_same_place(path, other_path))
-        throw UsageError(std::string("--").append(other).append(" and --").append(option).append(
-            " have the same file: give each its own"));
-    names.emplace_back(option, path);
+    const std::string target = end_of_links(path);
+    if (is_written_directly(target)) continue;
+    const auto [other, is_new] = options.emplace(place_of(target), dashed);
+    if (!is_new)
+      throw UsageError(other->second + " and " + dashed + " have the same file: give each its own");
+    if (!is_main || !may_replace_input) check_is_no_input(path);
   }
+}
+
+void Outputs::check_is_no_input(const std::string& path) const {
+  if (inputs_.contains(path))
+    throw UsageError("'" + path + "' is an input, which would be lost: name another output file");
 }
 
 // --- The mesh ------------------------------------------------------------------------------------
@@ -159,6 +168,7 @@ void Outputs::write_into(const std::string& folder, const std::string& name, std
 
 void Outputs::stage(const std::string& path, std::string bytes) {
   AtomicFile file(path, std::move(bytes));
+  if (!file.is_direct() && path != name()) check_is_no_input(path);
   if (!file.is_direct() && !staged_places_.insert(file.place()).second)
     throw UsageError("two outputs have the name '" + file.target() + "': give each its own file");
   staged_.push_back(std::move(file));

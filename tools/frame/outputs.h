@@ -41,9 +41,10 @@ class Outputs {
 
   /// Throws UsageError for a name that cannot be an output of the program.
   void check_name() const;
-  /// Throws UsageError if two of these options (names without dashes) name the same file, and
-  /// OutputError if one of the files cannot be written.
-  void check_files_of(const std::vector<std::string>& options) const;
+  /// Throws UsageError if two options name the same output file, or if an output would replace an
+  /// input. Only a main output of the same kind may replace the input. Throws OutputError if a file
+  /// cannot be written.
+  void check_files() const;
   /// Sets a document's format and type of coordinates to those of -o.
   void set_style(Document& document);
   /// Adds the reference edge and the provenance (program and options) to the comments of a mesh. A
@@ -71,6 +72,7 @@ class Outputs {
  private:
   void set_style_of(Document& document, const std::string& path);
   void add_comments(Document& document);
+  void check_is_no_input(const std::string& path) const;
   /// Prints a note about pairs of faces that intersect only after rounding to floats, at most once
   /// in a run.
   void note_rounding_intersections(std::size_t pairs);

@@ -51,8 +51,8 @@ void check_together(const CommonValues& values) {
   refuse(values.as_float && values.as_double, "--float or --double");
   refuse(values.quiet && values.verbose, "--quiet or --verbose");
   refuse(values.progress && values.no_progress, "--progress or --no-progress");
-  if (!values.report.empty() && values.output == values.report)
-    throw UsageError("--output and --report have the same file: give each its own");
+  if (values.output == "-" && values.report == "-")
+    throw UsageError("two outputs would go to standard output: name a file for one of them");
 }
 
 void check_needed(const Program& program) {
@@ -86,7 +86,7 @@ void declare_common(Program& program) {
   CommonValues& common = program.common;
   OptionSet& options = program.options;
   const std::size_t own = options.size();
-  options.text("output,o", &common.output, "FILE", "output file; - is stdout");
+  options.output_file("output,o", &common.output, "output file; - is stdout");
   if (program.may_write_mesh()) {
     options.choice("format", &common.format,
                    {"ply", "ply-ascii", "ply-be", "off", "obj", "stl", "glb", "vtp", "3mf", "xyz"},
@@ -113,7 +113,7 @@ void declare_common(Program& program) {
   if (program.input.may_keep_polygons)
     options.flag("keep-polygons", &common.keep_polygons,
                  "do not split polygons into triangles; PLY, OFF and OBJ can store polygons");
-  options.text("report", &common.report, "FILE", "write a JSON report to this file");
+  options.output_file("report", &common.report, "write a JSON report to this file");
   options.integer("threads", &common.threads, 0, 1024, "number of threads; 0: one per core");
   options
       .text("max-memory", &common.max_memory, "SIZE",

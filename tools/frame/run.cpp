@@ -1,7 +1,6 @@
 #include "frame/run.h"
 
 #include "frame/observer.h"
-#include "io/streams/output_target.h"
 #include "transformesh/errors.h"
 
 namespace transformesh::tool {
@@ -31,8 +30,7 @@ void Run::start() {
     if (program_.writes_mesh()) out_.set_style(document());
     return;
   }
-  check_writable(out_.name());
-  if (!values.report.empty()) check_writable(values.report);
+  out_.check_files();
   if (program_.reads_mesh()) read_input();
   if (program_.input.soups == Soups::joined) report("joined_vertices", in_.joined_vertices());
 }

@@ -94,8 +94,9 @@ void declare_evolve(Program& program, EvolveChoices& choices) {
       "cut and cap necks and handles that have a loop of at most this length around them");
   program.reference_edge();
   program.options
-      .text("events", &choices.loop.record.events, "FILE",
-            "write a line per change of topology, and write the face property component_label")
+      .output_file(
+          "events", &choices.loop.record.events,
+          "write a line per change of topology, and write the face property component_label")
       .affects_result = false;
   declare_record(program, choices.loop, "number of iterations between frames (default 10)",
                  "iteration");

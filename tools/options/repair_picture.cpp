@@ -1,7 +1,6 @@
 #include "options/repair_picture.h"
 
 #ifdef TM_SHOW
-#include "io/streams/atomic_file.h"
 #include "picture/change_picture.h"
 #include "repair/losses.h"
 #endif
@@ -12,23 +11,24 @@ namespace transformesh::tool {
 
 void declare_repair_picture(Program& program, std::string& file) {
   program.options
-      .text("picture", &file, "FILE",
-            "draw input and result as a PNG picture: removed faces red, new faces green")
+      .output_file("picture", &file,
+                   "draw input and result as a PNG picture: removed faces red, new faces green")
       .affects_result = false;
 }
 
-void write_repair_picture(const Mesh& input, const RepairResult& result, const std::string& file) {
+void write_repair_picture(const Mesh& input, const RepairResult& result, const std::string& file,
+                          Run& run) {
   ChangePictureOptions options;
   options.is_lost = faces_off(input, result.mesh);
   options.is_new = faces_off(result.mesh, input);
-  write_file(file, write_png(draw_change(input, result.mesh, options)));
+  run.out().write(file, write_png(draw_change(input, result.mesh, options)));
 }
 
 #else
 
 void declare_repair_picture(Program& /*program*/, std::string& /*file*/) {}
 void write_repair_picture(const Mesh& /*input*/, const RepairResult& /*result*/,
-                          const std::string& /*file*/) {}
+                          const std::string& /*file*/, Run& /*run*/) {}
 
 #endif
 

@@ -54,8 +54,8 @@ int main(int argc, char** argv) {
   program.options.text("reference", &choices.reference, "FILE", "mesh or points to align with")
       .is_needed = true;
   program.options
-      .text("write-matrix", &choices.matrix, "FILE",
-            "write the motion as a 4x4 matrix, for tm-transform --matrix")
+      .output_file("write-matrix", &choices.matrix,
+                   "write the motion as a 4x4 matrix, for tm-transform --matrix")
       .affects_result = false;
   program.options.integer("samples", &choices.registration.samples, 100, 10000000,
                           "number of compared points on the mesh, uniform by area");

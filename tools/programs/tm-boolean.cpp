@@ -31,15 +31,12 @@ void combine_inputs(const Choices& choices, tool::Run& run) {
 
 void run_script(const Choices& choices, tool::Run& run) {
   const std::vector<ScriptLine> lines = parse_boolean_script(run.in().read_bytes(choices.script));
-  bool units_agree = true;
   const auto read = [&](const std::string& file) {
     Document document = run.in().read(file);
-    units_agree &= unite_length_comments(run.document(), document);
+    unite_length_comments(run.document(), document);
     return std::move(document.mesh);
   };
   ScriptResult result = run_boolean_script(lines, read, choices.options, run.progress());
-  if (!units_agree)
-    run.note("the units of the meshes differ: coordinates are used without conversion");
   for (const Problem& problem : result.problems) run.say().note(problem);
   run.document().mesh = std::move(result.mesh);
   add_planarity(run.document().style.comments, result.merge_displacement);

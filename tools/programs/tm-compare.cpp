@@ -1,7 +1,11 @@
 /// tm-compare: measures the distances between a mesh and a reference.
+#include "clean/open/join_soup.h"
 #include "frame/run.h"
+#include "io/document/unit.h"
+#include "support/error_prefix.h"
 #include "transformesh/compare.h"
 #include "transformesh/errors.h"
+#include "transformesh/manifold.h"
 #include "transformesh/measure.h"
 
 namespace {
@@ -35,21 +39,35 @@ Mesh read_reference(const Options& options, tool::Run& run) {
     throw UsageError("one mesh is compared with one reference, but '" + run.in().names()[most] +
                      "' is an additional input");
   if (!options.reference.empty()) return run.in().read(options.reference).mesh;
-  if (documents.size() == 2) return std::move(documents[1].mesh);
+  if (documents.size() == 2) {
+    run.in().note_unit(unit_of(documents[1]));
+    return std::move(documents[1].mesh);
+  }
   throw UsageError(
       "name two files, a mesh and a reference, or give the reference with --reference");
+}
+
+/// Prints a note if signs of distances can be wrong. Merges equal positions of a soup, because the
+/// faces at an edge or a vertex determine the sign there.
+void prepare_for_signs(Mesh& reference, tool::Run& run) {
+  join_soup(reference);
+  const ManifoldReport report = check_manifold(reference);
+  if (report.is_closed() && report.is_oriented()) return;
+  run.say().note(prefixed("signs of distances from the reference can be wrong: ",
+                          manifold_problem(reference, report, true)));
 }
 
 void compare_with_reference(const Options& options, tool::Run& run) {
   if (options.is_signed && options.per_vertex.empty())
     throw UsageError("--signed needs --per-vertex, which writes the distances");
-  const Mesh reference = read_reference(options, run);
+  Mesh reference = read_reference(options, run);
   run.in().set_basis(diagonal_of(bounding_box(reference)));
   CompareOptions how = options.compare;
   how.distance = run.length(options.distance);
   const Comparison found = compare(run.document().mesh, reference, how, run.progress());
 
   run.report(entries_of(found));
+  if (options.is_signed) prepare_for_signs(reference, run);
   if (!options.per_vertex.empty()) write_distances(reference, options, run);
   run.answer(!options.within || found.hausdorff <= run.length(*options.within));
 }
@@ -70,8 +88,8 @@ int main(int argc, char** argv) {
                          "completeness; 1% is 1 % of the diagonal of its box");
   program.options.length("within", &options.within,
                          "exit with 1 if hausdorff is larger than this (default: no limit)");
-  program.options.text(
-      "per-vertex", &options.per_vertex, "FILE",
+  program.options.output_file(
+      "per-vertex", &options.per_vertex,
       "write the mesh with the vertex property distance, the distance from the reference");
   program.options.flag("signed", &options.is_signed,
                        "with --per-vertex: distances are negative inside the reference");

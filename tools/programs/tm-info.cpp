@@ -78,8 +78,9 @@ int main(int argc, char** argv) {
       "print only the value of this key");
   program.input.may_keep_polygons = true;
   program.options.flag("units", &with_unit, "also report the unit of lengths, or unknown");
-  program.options.text("per-vertex", &per_vertex, "FILE",
-                       "write the mesh with the vertex property curvature, the mean curvature");
+  program.options.output_file(
+      "per-vertex", &per_vertex,
+      "write the mesh with the vertex property curvature, the mean curvature");
   program.output.only_key = &key;
   program.settle = [&] { program.common.keep_polygons |= key == "polygons"; };
   program.example = "tm-info --get volume mesh.ply";

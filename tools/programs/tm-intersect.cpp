@@ -74,9 +74,10 @@ int main(int argc, char** argv) {
   program.options.flag("any", &options.any,
                        "report only whether there are any pairs; stop at the first pair, and exit "
                        "with 1 if there is one");
-  program.options.text("pairs", &options.pairs, "FILE", "write the pairs of face indices as text");
-  program.options.text("segments", &options.segments, "FILE",
-                       "write the segments in which faces intersect, as edges of a PLY file");
+  program.options.output_file("pairs", &options.pairs, "write the pairs of face indices as text");
+  program.options.output_file(
+      "segments", &options.segments,
+      "write the segments in which faces intersect, as edges of a PLY file");
   program.options.flag(
       "refine", &options.refine,
       "split faces along the intersections; source_face is the index of the input face");

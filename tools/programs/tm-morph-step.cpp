@@ -2,6 +2,7 @@
 #include "frame/column_notes.h"
 #include "frame/displacement_report.h"
 #include "frame/run.h"
+#include "io/document/unit.h"
 #include "io/streams/streams.h"
 #include "mesh/touching_borders.h"
 #include "step/local_thickness.h"
@@ -30,6 +31,7 @@ Target target_of(const Options& options, tool::Run& run) {
   Target target = read_target(run.in().read_bytes(options.target), input_name(options.target),
                               run.in().reading(options.target));
   run.say().note_all(target.notes);
+  run.in().note_unit(find_unit(target.unit));
   if (target.has_estimated_normals) {
     run.note("the target's points have no normals: estimated from their neighbors");
   }
@@ -83,8 +85,8 @@ int main(int argc, char** argv) {
   program.options.number("gap-edges", &options.step.gap_edges, 0, 1e6,
                          "write the vertex property size for tm-remesh --size-field: edges with "
                          "this number across gaps and walls of the target; 0: do not");
-  program.options.text("write-target", &options.written_target, "FILE",
-                       "write the prepared target, with estimated normals, for later steps");
+  program.options.output_file("write-target", &options.written_target,
+                              "write the prepared target, with estimated normals, for later steps");
   program.example =
       "tm-morph-step --target target.ply source.ply | tm-clean | tm-remesh > next.ply";
   return program.run(argc, argv, [&](tool::Run& run) { step(run.document(), options, run); });

@@ -3,6 +3,7 @@
 #include "evolution/loop/record.h"
 #include "evolution/loop/run_folder.h"
 #include "evolution/recorded_loops.h"
+#include "io/document/unit.h"
 #include "io/streams/streams.h"
 #include "options/morph_options.h"
 #include "options/morph_report.h"
@@ -23,6 +24,7 @@ void check_start(const Mesh& source, const Target& target, tool::Run& run) {
 Target read(const std::string& name, tool::Run& run) {
   Target target = read_target(run.in().read_bytes(name), input_name(name), run.in().reading(name));
   run.say().note_all(target.notes);
+  run.in().note_unit(find_unit(target.unit));
   if (target.has_estimated_normals)
     run.note("the target's points have no normals: estimated from their neighbors");
   run.say().note_all(check_target(target, input_name(name), run.progress()));

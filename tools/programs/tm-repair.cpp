@@ -45,7 +45,8 @@ void repair_document(Document& document, Choices& choices, tool::Run& run) {
   if (choices.max_change) choices.options.max_change = run.length(*choices.max_change);
   choices.options.coordinate = document.style.coordinate;
   RepairResult result = repair(document.mesh, choices.options, run.progress());
-  if (!choices.picture.empty()) tool::write_repair_picture(document.mesh, result, choices.picture);
+  if (!choices.picture.empty())
+    tool::write_repair_picture(document.mesh, result, choices.picture, run);
   choices.passes_bytes = is_unchanged(result, document, run);
   if (choices.passes_bytes) result.steps.clear();
   tool::note_steps(result, run);

@@ -38,6 +38,12 @@ const Unit* unit_of(const Document& document) {
   return stated == nullptr && document.style.is_from_stl ? find_unit("mm") : stated;
 }
 
+std::vector<std::string> notes_of_units(const Unit* first, const Unit* second) {
+  if (first == nullptr || second == nullptr || first == second) return {};
+  return {"the units differ, " + std::string(first->name) + " and " + std::string(second->name) +
+          ": coordinates are used without conversion"};
+}
+
 void set_unit(Document& document, const Unit& unit) {
   std::vector<std::string>& comments = document.style.comments;
   std::erase_if(comments, is_unit_comment);

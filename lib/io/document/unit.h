@@ -28,6 +28,9 @@ const Unit* find_unit(std::string_view name);
 /// unit, for documents that were read from STL, and null for others.
 const Unit* unit_of(const Document& document);
 
+/// Returns a note if the units of two meshes are known and differ, else nothing.
+std::vector<std::string> notes_of_units(const Unit* first, const Unit* second);
+
 /// Replaces the `tm:unit` comment by a comment with this unit.
 void set_unit(Document& document, const Unit& unit);
 

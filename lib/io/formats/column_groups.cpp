@@ -40,6 +40,14 @@ ColumnGroup color_group(const Columns& columns) {
   return first_group_of(columns, {{"red", "green", "blue", "alpha"}, {"red", "green", "blue"}});
 }
 
+bool are_in_range(const ColumnGroup& colors) {
+  return std::all_of(colors.begin(), colors.end(), [](const Column* column) {
+    const double full = full_intensity(column->type);
+    return std::all_of(column->values.begin(), column->values.end(),
+                       [&](double value) { return value >= 0 && value <= full; });
+  });
+}
+
 ColumnGroup texture_group(const Columns& columns) {
   return first_group_of(columns, {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}});
 }
@@ -55,6 +63,21 @@ const Column* corner_texture(const Columns& face_columns, const Column* outlines
   const bool are_finite = std::all_of(column->values.begin(), column->values.end(),
                                       [](double value) { return std::isfinite(value); });
   return are_finite ? column : nullptr;
+}
+
+void make_corner_texture(const std::vector<Face>& corners, Mesh& mesh) {
+  const ColumnGroup group = texture_group(mesh.vertex_columns);
+  if (group.empty() || !is_floating(group[0]->type)) return;
+  Column lists{"texcoord", group[0]->type, {}, Scalar::uint8, {0}};
+  for (const Face& face : corners) {
+    for (const Index corner : face)
+      for (const Column* column : group) lists.values.push_back(column->values[corner]);
+    lists.list_offsets.push_back(lists.values.size());
+  }
+  const std::array names{group[0]->name, group[1]->name};
+  for (const std::string& name : names) mesh.vertex_columns.erase(name);
+  mesh.face_columns.erase(lists.name);
+  mesh.face_columns.columns.push_back(std::move(lists));
 }
 
 std::string column_name(std::string_view given) {

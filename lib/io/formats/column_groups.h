@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "transformesh/columns.h"
+#include "transformesh/mesh.h"
 
 namespace transformesh {
 
@@ -17,6 +17,8 @@ using ColumnGroup = std::vector<const Column*>;
 ColumnGroup normal_group(const Columns& columns);  ///< returns the columns nx ny nz
 /// Returns the columns red green blue, and alpha if present.
 ColumnGroup color_group(const Columns& columns);
+/// True if all values are from 0 to full intensity.
+bool are_in_range(const ColumnGroup& colors);
 ColumnGroup texture_group(const Columns& columns);  ///< returns s t, u v or texture_u texture_v
 
 /// Returns `given` as a valid name of a PLY column. Blanks and bytes other than printable ASCII
@@ -30,6 +32,10 @@ inline constexpr std::array<const char*, 4> color_channels{"red", "green", "blue
 /// the other part. The added values are white and opaque, in the same type.
 void add_missing_colors(Columns& first, std::size_t first_rows, Columns& second,
                         std::size_t second_rows);
+
+/// Replaces the columns of texture_group() by the face column `texcoord`. The corners of the faces
+/// have the vertices `corners`. Does nothing if these columns are missing or integers.
+void make_corner_texture(const std::vector<Face>& corners, Mesh& mesh);
 
 /// Returns the face column `texcoord`, which has a list of (u, v) pairs for each face: one pair for
 /// each corner, or an empty list. Faces have the corners in MergedPolygons::outlines if given,

@@ -13,6 +13,7 @@
 #include "io/formats/glb.h"
 #include "io/streams/source.h"
 #include "mesh/adjacency.h"
+#include "mesh/color_scale.h"
 #include "mesh/coordinate_spacing.h"
 #include "transformesh/errors.h"
 #include "transformesh/mesh_io.h"
@@ -31,6 +32,7 @@ constexpr std::uint32_t json_chunk_type = 0x4e4f534a;
 constexpr std::uint32_t binary_chunk_type = 0x004e4942;
 
 constexpr int component_type(std::uint8_t /*of*/) { return 5121; }
+constexpr int component_type(std::uint16_t /*of*/) { return 5123; }
 constexpr int component_type(std::uint32_t /*of*/) { return 5125; }
 constexpr int component_type(float /*of*/) { return 5126; }
 
@@ -53,11 +55,6 @@ std::string upper_case(std::string text) {
   for (char& c : text)
     if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
   return text;
-}
-
-bool are_in_unit_range(const Column& column) {
-  return std::all_of(column.values.begin(), column.values.end(),
-                     [](double value) { return value >= 0 && value <= 1; });
 }
 
 /// Repeats vertices so that each vertex has a single texture coordinate, in the columns s and t.
@@ -235,19 +232,17 @@ class GlbWriter {
   }
 
   void add_colors(const ColumnGroup& group, OrderedJson& attributes) {
-    if (group.empty()) return;
-    if (group[0]->type == Scalar::uint8) {
-      attributes["COLOR_0"] = add_color_rows<std::uint8_t>(group, 255);
-      accessors_.back()["normalized"] = true;
-    } else if (is_floating(group[0]->type) &&
-               std::all_of(group.begin(), group.end(),
-                           [](const Column* column) { return are_in_unit_range(*column); })) {
-      attributes["COLOR_0"] = add_color_rows<float>(group, 1);
-    }
+    if (group.empty() || !are_in_range(group)) return;
+    const Scalar type = group[0]->type;
+    attributes["COLOR_0"] = is_floating(type)        ? add_color_rows<float>(group)
+                            : type == Scalar::uint16 ? add_color_rows<std::uint16_t>(group)
+                                                     : add_color_rows<std::uint8_t>(group);
+    if (!is_floating(type)) accessors_.back()["normalized"] = true;
   }
 
   template <class T>
-  std::size_t add_color_rows(const ColumnGroup& group, T opaque) {
+  std::size_t add_color_rows(const ColumnGroup& group) {
+    const auto opaque = static_cast<T>(full_intensity(group[0]->type));
     // Four channels, because elements of three bytes would not be aligned to 4 bytes.
     constexpr std::size_t channels = 4;
     std::vector<T> values;

@@ -262,25 +262,8 @@ class MeshReader {
     for (Index v = 0; v < is_used.size(); ++v)
       if (is_used[v] != 0 || was_used[v] == 0) kept.push_back(v);
     if (kept.size() == is_used.size()) return;
-    make_corner_texture(before);
+    make_corner_texture(before, mesh_);
     keep_vertices(kept);
-  }
-
-  void make_corner_texture(const std::vector<Face>& before) {
-    Columns& columns = mesh_.vertex_columns;
-    const Column* s = columns.find("s");
-    const Column* t = columns.find("t");
-    if (s == nullptr || t == nullptr) return;
-    Column& lists = mesh_.face_columns.get("texcoord", Scalar::float32, 0);
-    lists.list_count_type = Scalar::uint8;
-    lists.list_offsets.push_back(0);
-    for (const Face& face : before) {
-      for (const Index corner : face)
-        for (const Column* column : {s, t}) lists.values.push_back(column->values[corner]);
-      lists.list_offsets.push_back(lists.values.size());
-    }
-    columns.erase("s");
-    columns.erase("t");
   }
 
   void keep_vertices(const std::vector<Index>& kept) {

@@ -46,7 +46,7 @@ void ObjTexture::move_into(Mesh& mesh, std::uint32_t rows, std::vector<std::stri
   const std::size_t incomplete = add_lists(mesh, rows);
   if (incomplete == 0) return;
   notes.push_back("obj: " + counted(incomplete, "face") +
-                  " with texture coordinate indices out of range left without texture coordinates");
+                  " left without texture coordinates, because those of a corner are missing");
 }
 
 bool ObjTexture::is_there(Index point) const {

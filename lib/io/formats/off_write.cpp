@@ -5,6 +5,7 @@
 #include "io/formats/off.h"
 #include "io/polygons/merge_polygons.h"
 #include "io/streams/text_buffer.h"
+#include "mesh/color_scale.h"
 #include "transformesh/mesh_io.h"
 
 namespace transformesh {
@@ -81,17 +82,19 @@ class OffWriter {
   }
 
   /// Writes the color of a row. In OFF only a decimal point or an exponent distinguishes
-  /// floating-point from integer colors, so all channels are written in the same way.
+  /// floating-point from integer colors, so all channels are written in the same way. Colors of
+  /// ushort become decimals, because integers of OFF are from 0 to 255.
   void add_colors(const Columns& columns, const std::vector<std::string_view>& names,
                   std::size_t row) {
     const bool are_decimal = std::any_of(names.begin(), names.end(), [&](std::string_view name) {
-      return is_floating(columns.find(name)->type);
+      const Scalar type = columns.find(name)->type;
+      return is_floating(type) || (type == Scalar::uint16 && name != "color_index");
     });
     for (const std::string_view name : names) {
       const Column& column = *columns.find(name);
       text_.add(' ');
       if (are_decimal) {
-        text_.add_decimal(column.values[row]);
+        text_.add_decimal(column.values[row] / full_intensity(column.type));
       } else {
         text_.add_number(to_scalar<std::int64_t>(column.values[row]));
       }

@@ -118,6 +118,10 @@ ReadResult read_point_text(const Source& source) {
     Column& column = mesh.vertex_columns.get(value_names[3 + i], Scalar::float64, 0);
     column.values = std::move(normals[i]);
   }
+  if (length == 6 && !has_normals)
+    result.notes.emplace_back(
+        "points: the last three numbers of each line look like colors and are left out; a first "
+        "line 'x y z red green blue' keeps them");
   result.document.style.comments = std::move(rows.comments);
   zero_values_not_finite(mesh.vertex_columns, source, "point", "points", result.notes);
   drop_points_not_finite(mesh, 0, "points", result.notes);

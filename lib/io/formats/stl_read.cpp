@@ -34,6 +34,20 @@ void note_bad_facets(std::size_t count, std::vector<std::string>& notes) {
                   " with a coordinate that is not finite dropped");
 }
 
+std::string in_lower_case(std::string_view word) {
+  std::string result(word);
+  std::transform(result.begin(), result.end(), result.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return result;
+}
+
+/// True if a facet with its normal begins at the next word of the line.
+bool is_at_facet(TextRows rows) {
+  return in_lower_case(rows.peek()) == "facet" && !rows.word().empty() &&
+         in_lower_case(rows.word()) == "normal" && is_number(rows.peek());
+}
+
 class TextReader {
  public:
   explicit TextReader(const Source& source) : source_(source), rows_(source, 0, {}) {}
@@ -59,17 +73,20 @@ class TextReader {
   }
 
  private:
-  /// Reads the next word, in lower case. Line ends count as blanks.
-  bool next_word(bool is_needed) {
+  /// Moves to the next word. Line ends count as blanks.
+  bool find_word(bool is_needed) {
     while (!rows_.has_more()) {
       if (rows_.next_row()) continue;
       if (is_needed) rows_.fail("the data ends within " + place_name() + ", before 'endsolid'");
       return false;
     }
-    word_ = rows_.word();
-    std::transform(word_.begin(), word_.end(), word_.begin(), [](char c) {
-      return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    });
+    return true;
+  }
+
+  /// Reads the next word, in lower case.
+  bool next_word(bool is_needed) {
+    if (!find_word(is_needed)) return false;
+    word_ = in_lower_case(rows_.word());
     return true;
   }
 
@@ -88,14 +105,25 @@ class TextReader {
     return solids_ == 0 ? "the first line" : "facet " + std::to_string(polygons_.rows());
   }
 
+  /// Reads the name of a solid, which ends with the line, or before a facet in the same line.
+  std::string_view read_name() {
+    const std::string_view first = rows_.peek();
+    std::string_view last = first.substr(0, 0);
+    while (rows_.has_more() && !is_at_facet(rows_)) last = rows_.word();
+    return {first.data(), static_cast<std::size_t>(last.data() + last.size() - first.data())};
+  }
+
   void read_solid() {
-    const std::string_view name = rows_.skip_row();
+    const std::string_view name = read_name();
     ++solids_;
     if (solids_ == 1 && !name.empty()) result_.document.style.comments.emplace_back(name);
     while (next_word(source_.is_strict)) {
       if (word_ == "endsolid") {
-        rows_.skip_row();
-        return;
+        read_name();
+        if (!rows_.has_more()) return;
+        // The next solid begins in the same line.
+        ++solids_;
+        next_word(true);
       }
       expect("facet");
       read_facet();
@@ -136,6 +164,7 @@ class TextReader {
     corners_.push_back(static_cast<Index>(positions.size()));
     Vec3& position = positions.emplace_back();
     for (const Eigen::Index axis : {0, 1, 2}) {
+      find_word(true);
       position[axis] = static_cast<double>(
           rows_.number_or_nan<float>([&] { return "a coordinate of " + place_name(); }));
     }

@@ -9,6 +9,7 @@
 #include "io/formats/three_mf_model.h"
 #include "io/streams/text_buffer.h"
 #include "io/streams/zip_archive.h"
+#include "mesh/color_scale.h"
 #include "support/counted.h"
 #include "transformesh/errors.h"
 
@@ -59,18 +60,16 @@ class ThreeMfWriter {
     if (collapsed_ > 0)
       result.notes.push_back("3mf: " + counted(collapsed_, "face") +
                              " with two corners in one vertex cannot be stored in 3MF, dropped");
+    if (are_rounded_) result.notes.emplace_back("3mf: colors are rounded to bytes");
     return result;
   }
 
  private:
   void find_colors() {
-    const auto of_bytes = [](const ColumnGroup& group) {
-      return !group.empty() && group[0]->type == Scalar::uint8;
-    };
     colors_ = color_group(mesh_.vertex_columns);
-    are_of_vertices_ = of_bytes(colors_);
+    are_of_vertices_ = !colors_.empty() && are_in_range(colors_);
     if (!are_of_vertices_) colors_ = color_group(mesh_.face_columns);
-    if (!of_bytes(colors_)) colors_.clear();
+    if (!are_in_range(colors_)) colors_.clear();
     std::vector<std::string_view>& kept =
         are_of_vertices_ ? kept_vertex_columns_ : kept_face_columns_;
     for (const Column* column : colors_) kept.push_back(column->name);
@@ -115,13 +114,19 @@ class ThreeMfWriter {
     std::map<ByteColor, std::size_t> numbers;
     for (std::size_t row = 0; row < colors_[0]->values.size(); ++row) {
       ByteColor color{0, 0, 0, 255};
-      for (std::size_t c = 0; c < colors_.size(); ++c)
-        color[c] = to_scalar<std::uint8_t>(colors_[c]->values[row]);
+      for (std::size_t c = 0; c < colors_.size(); ++c) color[c] = byte_of(*colors_[c], row);
       const auto [place, is_new] = numbers.emplace(color, numbers.size());
       color_numbers_.push_back(place->second);
       if (is_new) add_color(color);
     }
     text_.add("</m:colorgroup>\n");
+  }
+
+  std::uint8_t byte_of(const Column& channel, std::size_t row) {
+    const double value = channel.values[row] * 255 / full_intensity(channel.type);
+    const auto byte = to_scalar<std::uint8_t>(value);
+    are_rounded_ = are_rounded_ || byte != value;
+    return byte;
   }
 
   void add_color(const ByteColor& color) {
@@ -175,6 +180,7 @@ class ThreeMfWriter {
   const Mesh& mesh_;
   TextBuffer text_;
   ColumnGroup colors_;
+  bool are_rounded_ = false;
   bool are_of_vertices_ = false;
   /// For each row, the index of its color in the color group.
   std::vector<std::size_t> color_numbers_;

@@ -68,7 +68,7 @@ std::string end_of_links(const std::string& path) {
 
 std::string place_of(const std::string& path) {
   std::error_code error;
-  const fs::path place = fs::weakly_canonical(fs::absolute(path), error);
+  const fs::path place = fs::weakly_canonical(fs::absolute(path, error), error);
   return error ? path : place.string();
 }
 

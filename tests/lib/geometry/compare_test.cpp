@@ -146,6 +146,14 @@ TEST_CASE("the farthest point is as far as compare() finds it, and lies there") 
   }
 }
 
+TEST_CASE("signed distances from a reference that is inside out are refused") {
+  const Mesh ball = test::icosphere(2);
+  Mesh reversed = ball;
+  for (Face& face : reversed.faces) std::swap(face[1], face[2]);
+  CHECK(signed_vertex_distances(ball, ball)[0] == 0);
+  CHECK_THROWS_AS(signed_vertex_distances(ball, reversed), InputError);
+}
+
 TEST_CASE("distances of vertices are those of a search over all faces") {
   const Mesh mesh = test::torus(2, 0.5, 30, 15);
   const Mesh reference = test::moved(test::icosphere(2), {0.7, 0.2, 0.1});

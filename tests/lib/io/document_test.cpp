@@ -69,9 +69,33 @@ TEST_CASE("joined documents keep the unit of the first, and differences are note
   second.style.comments = {"tm:unit meter"};
   CHECK(append(first, second) ==
         std::vector<std::string>{
-            "the units differ, millimeter and meter: coordinates are joined without conversion"});
+            "the units differ, millimeter and meter: coordinates are used without conversion"});
   CHECK(first.style.comments == std::vector<std::string>{"tm:unit millimeter"});
   CHECK(append(second, Document()).empty());
+}
+
+TEST_CASE("texture coordinates of vertices join those of face corners, first or second") {
+  for (const bool is_first : {true, false}) {
+    Document of_vertices = document_of(test::tetrahedron()), of_corners = of_vertices;
+    of_vertices.mesh.vertex_columns.get("s", Scalar::float32, 4).values = {0, 1, 2, 3};
+    of_vertices.mesh.vertex_columns.get("t", Scalar::float32, 4).values = {4, 5, 6, 7};
+    Column& lists = of_corners.mesh.face_columns.get("texcoord", Scalar::float32, 0);
+    lists.list_count_type = Scalar::uint8;
+    lists.list_offsets = {0, 6, 6, 6, 6};
+    lists.values = {9, 9, 8, 8, 7, 7};
+    Document& all = is_first ? of_vertices : of_corners;
+    CHECK(append(all, is_first ? of_corners : of_vertices).size() == 1);
+    CHECK(all.mesh.vertex_columns.columns.empty());
+    const Column& joined = column(all.mesh.face_columns, "texcoord");
+    REQUIRE(joined.values.size() == 30);
+    const std::size_t start = joined.list_offsets[is_first ? 0 : 4];
+    const Face face = test::tetrahedron().faces[0];
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(joined.values[start + 2 * i] == face[i]);
+      CHECK(joined.values[start + 2 * i + 1] == face[i] + 4);
+    }
+    CHECK(joined.values[is_first ? 24 : 0] == 9);
+  }
 }
 
 TEST_CASE("a mesh without colors becomes white beside a colored one, first or second") {

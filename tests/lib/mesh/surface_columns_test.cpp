@@ -47,6 +47,23 @@ Column texture_of(const Mesh& mesh) {
 
 }  // namespace
 
+TEST_CASE("new normals replace integers, and negative ones fit") {
+  Mesh ball = ball_with_normals();
+  for (Column& column : ball.vertex_columns.columns) column.type = Scalar::int8;
+  refresh_normals(ball);
+  for (const Column& column : ball.vertex_columns.columns) CHECK(column.type == Scalar::float64);
+  CHECK(worst_normal(ball, 1) < 0.02);
+  for (Column& column : ball.vertex_columns.columns) {
+    column.type = Scalar::uint8;
+    column.values.assign(column.values.size(), 100);
+  }
+  reverse_normals(ball);
+  for (const Column& column : ball.vertex_columns.columns) {
+    CHECK(column.type == Scalar::float64);
+    CHECK(column.values[0] == -100);
+  }
+}
+
 TEST_CASE("normals are updated if the surface is moved, rotated or remeshed") {
   Mesh ball = ball_with_normals();
   CHECK(worst_normal(ball, 1) < 0.02);

@@ -57,6 +57,18 @@ TEST_CASE("normals stay normal and velocities move with the vertices") {
   }
 }
 
+TEST_CASE("normals and velocities of integers turn as vectors of real numbers") {
+  const std::vector<Vec3> along(4, Vec3(0, 0, 127));
+  Mesh mesh = with_vectors(test::tetrahedron(), {"nx", "ny", "nz"}, along);
+  mesh = with_vectors(mesh, {"vx", "vy", "vz"}, along);
+  for (Column& column : mesh.vertex_columns.columns) column.type = Scalar::int8;
+  transform(mesh, rotation_about({1, 0, 0}, 30));
+  const Vec3 turned(0, -0.5, std::sqrt(0.75));
+  CHECK((vector_at(mesh, {"nx", "ny", "nz"}, 3) - turned).norm() < 1e-15);
+  CHECK((vector_at(mesh, {"vx", "vy", "vz"}, 3) - 127 * turned).norm() < 1e-13);
+  for (const Column& column : mesh.vertex_columns.columns) CHECK(column.type == Scalar::float64);
+}
+
 TEST_CASE("quarter turns are exact, and others turn by their angle") {
   Mesh mesh = test::cube();
   transform(mesh, rotation_about({0, 0, 2}, 90 + 36000));

@@ -105,6 +105,19 @@ TEST_CASE("columns come back with their vertices and faces; what is not finite i
   }
 }
 
+TEST_CASE("colors of any type become bytes") {
+  for (const Scalar type : {Scalar::uint16, Scalar::float32, Scalar::int32}) {
+    const double full = type == Scalar::uint16 ? 65535 : type == Scalar::int32 ? 255 : 1;
+    Mesh mesh = test::icosphere(1);
+    for (const char* name : {"red", "green", "blue"})
+      mesh.vertex_columns.get(name, type, 0).values.assign(mesh.positions.size(), full / 5);
+    mesh.vertex_columns.find("blue")->values[0] = NAN;
+    const auto back = unpacked(pack(mesh).block);
+    REQUIRE(back.columns.size() == 3);
+    CHECK(back.columns[0] == std::vector<double>(mesh.positions.size(), 51));
+  }
+}
+
 TEST_CASE("points, flat meshes and nothing at all") {
   const Mesh nothing;
   CHECK(unpacked(pack(nothing).block).is_complete);

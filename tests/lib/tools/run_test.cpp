@@ -54,7 +54,7 @@ class Place {
   int evolve(const std::vector<std::string>& arguments, const std::function<void(Run&)>& body) {
     return run(Reads::file, Writes::evolved_mesh, arguments, body, [](Program& program) {
       program.reference_edge();
-      program.options.text("csv", &csv_, "FILE", "lines");
+      program.options.output_file("csv", &csv_, "lines");
     });
   }
 
@@ -171,17 +171,20 @@ TEST_CASE("a failure that leaves a state names it") {
 TEST_CASE("outputs of one place and outputs that cannot be written are refused early") {
   Place place;
   const auto body = [](Run& run) {
-    run.out().check_files_of({"output", "report", "csv"});
+    run.out().check_files();
     make_file("late", "");
   };
   CHECK(place.evolve({"t.ply", "-o", "out.ply", "--csv", "./out.ply"}, body) == 2);
-  CHECK(place.errors() == "tm-x: --output and --csv have the same file: give each its own\n");
+  CHECK(place.errors() == "tm-x: --csv and --output have the same file: give each its own\n");
   CHECK(place.evolve({"t.ply", "-o", "out.ply", "--csv", "-"}, body) == 2);
+  CHECK(place.evolve({"t.ply", "-o", "out.ply", "--csv", "./t.ply"}, body) == 2);
+  CHECK(place.errors() ==
+        "tm-x: './t.ply' is an input, which would be lost: name another output file\n");
   CHECK(place.evolve({"t.ply", "-o", "none/out.ply"}, body) == 5);
   CHECK(place.errors() == "tm-x: cannot write 'none/out.ply': No such file or directory\n");
   CHECK_FALSE(place.has("late"));
   CHECK(place.evolve({"t.ply", "-o", "/dev/null", "--csv", "/dev/null"}, [](Run& run) {
-    run.out().check_files_of({"output", "csv"});
+    run.out().check_files();
     run.out().write_nothing();
   }) == 0);
 }

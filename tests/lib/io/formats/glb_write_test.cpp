@@ -55,9 +55,14 @@ struct Glb {
       const int type = accessor["componentType"];
       values.push_back(type == 5126   ? load<float>(bytes, start + 4 * i)
                        : type == 5125 ? load<std::uint32_t>(bytes, start + 4 * i)
+                       : type == 5123 ? load<std::uint16_t>(bytes, start + 2 * i)
                                       : static_cast<unsigned char>(bytes.at(start + i)));
     }
     return values;
+  }
+
+  const nlohmann::json& accessor(const std::string& attribute) const {
+    return json["accessors"][primitive()["attributes"][attribute].get<std::size_t>()];
   }
 
   std::vector<double> attribute(const std::string& name) const {
@@ -184,6 +189,20 @@ TEST_CASE("glb: closed manifolds are said to be such, with the copies that are o
   document.mesh.faces.pop_back();
   document.mesh.face_columns = {};
   CHECK_FALSE(Glb(write_mesh(document).bytes).json.contains("extensionsUsed"));
+}
+
+TEST_CASE("glb: integer colors have the scale of their type") {
+  Document document = glb_document();
+  set_columns({"red", "green", "blue"}, Scalar::uint16, {0, 257, 32768, 65535}, document);
+  const Glb fine(write_mesh(document).bytes);
+  CHECK(fine.accessor("COLOR_0")["componentType"] == 5123);
+  CHECK(fine.accessor("COLOR_0")["normalized"] == true);
+  CHECK(fine.attribute("COLOR_0")[4] == 257);
+  CHECK(fine.attribute("COLOR_0")[7] == 65535);
+  set_columns({"red", "green", "blue"}, Scalar::int32, {0, 1, 128, 255}, document);
+  const Glb bytes(write_mesh(document).bytes);
+  CHECK(bytes.accessor("COLOR_0")["componentType"] == 5121);
+  CHECK(bytes.attribute("COLOR_0")[4] == 1);
 }
 
 TEST_CASE("glb: data that the standard cannot hold is noted") {

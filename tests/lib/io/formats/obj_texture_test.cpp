@@ -47,9 +47,9 @@ TEST_CASE("obj: missing texture coordinates are refused") {
       points + "vt 0 0\nvt nan 0\nvt 1 1 7\nf 1/1 2/2 3/1\nf 1/1 2/1 3/4\nf 1/1 2 3/1\n", "input");
   CHECK(result.document.mesh.face_columns.columns.empty());
   CHECK(result.document.mesh.faces.size() == 3);
-  CHECK(has_note(result.notes,
-                 "obj: 3 faces with texture coordinate indices out of range left without texture "
-                 "coordinates"));
+  CHECK(has_note(
+      result.notes,
+      "obj: 3 faces left without texture coordinates, because those of a corner are missing"));
   CHECK(has_note(result.notes, "obj: third numbers of 1 texture coordinate left out"));
   CHECK(read_error("v 0 0 0\nvt a 0\n") ==
         "a texture coordinate is not a number: 'a' (input line 2)");
@@ -73,8 +73,8 @@ TEST_CASE("obj: numbers of texture points as large as they get name no point") {
         read_mesh(points + "vt 0 0\nf 1/1 2/1 3/1\nf 1/1 2/1 4/" + number + "\n", "input");
     const Column& lists = column(result.document.mesh.face_columns, "texcoord");
     CHECK(lists.list_offsets == std::vector<std::size_t>{0, 6, 6});
-    CHECK(has_note(result.notes,
-                   "obj: 1 face with texture coordinate indices out of range left without texture "
-                   "coordinates"));
+    CHECK(has_note(
+        result.notes,
+        "obj: 1 face left without texture coordinates, because those of a corner are missing"));
   }
 }

@@ -34,6 +34,19 @@ TEST_CASE("off: faces without a color among others are white and opaque, and tha
   CHECK(has_note(result.notes, "off: 1 face without a color made white"));
 }
 
+TEST_CASE("off: colors of ushort are decimals, because integers are from 0 to 255") {
+  Document document{tetrahedron(), {}, {}};
+  document.style.format = Format::off;
+  for (const char* name : {"red", "green", "blue"})
+    document.mesh.vertex_columns.get(name, Scalar::uint16, 4).values = {0, 13107, 32768, 65535};
+  document.mesh.face_columns.get("color_index", Scalar::uint16, 4).values = {300, 1, 2, 3};
+  const Document back = read_document(write_mesh(document).bytes);
+  CHECK(column(back.mesh.vertex_columns, "red").type == Scalar::float64);
+  CHECK(column(back.mesh.vertex_columns, "red").values ==
+        std::vector<double>{0, 0.2, 32768.0 / 65535, 1});
+  CHECK(column(back.mesh.face_columns, "color_index").values == std::vector<double>{300, 1, 2, 3});
+}
+
 TEST_CASE("off: what cannot be kept is named once") {
   Document document;
   document.mesh = tetrahedron();
@@ -64,11 +77,11 @@ TEST_CASE("off: a color or normal that is not finite cannot be kept") {
   CHECK(read_mesh(written.bytes, "written").document.mesh.faces == document.mesh.faces);
 }
 
-TEST_CASE("off: where one channel is floating point, all are written as such") {
-  Document document = read_document("OFF\n1 0 0\n0 0 0 1 2 3\n");
+TEST_CASE("off: where one channel is floating point, all are written from 0 to 1") {
+  Document document = read_document("OFF\n1 0 0\n0 0 0 51 2 255\n");
   document.mesh.vertex_columns.find("green")->type = Scalar::float32;
   const std::string text = write_mesh(document).bytes;
-  CHECK(text == "COFF\n1 0 0\n0 0 0 1.0 2.0 3.0\n");
+  CHECK(text == "COFF\n1 0 0\n0 0 0 0.2 2.0 1.0\n");
   CHECK(rewritten(text) == text);
 }
 

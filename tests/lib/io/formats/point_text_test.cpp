@@ -33,6 +33,17 @@ TEST_CASE("lines of three numbers are points without normals") {
   CHECK(mesh.vertex_columns.columns.empty());
 }
 
+TEST_CASE("numbers that look like colors are left out with a note, and a first line keeps them") {
+  const std::string text = "1 2 3 255 0 1\n4 5 6 0 255 0\n";
+  const ReadResult result = read_point_text({text, "scan.xyz"});
+  CHECK(result.document.mesh.vertex_columns.columns.empty());
+  REQUIRE(result.notes.size() == 1);
+  CHECK(result.notes[0].find("look like colors") != std::string::npos);
+  const ReadResult named = read_mesh("x y z red green blue\n" + text, "scan.xyz");
+  CHECK(named.document.mesh.vertex_columns.find("red")->values == std::vector<double>{255, 0});
+  CHECK(named.notes.empty());
+}
+
 TEST_CASE("anything else is refused with its line") {
   CHECK_THROWS_WITH_AS(read("1 2 3\n4 5\n"), doctest::Contains("line 2"), InputError);
   CHECK_THROWS_WITH_AS(read("1 2 3\n\n4 5 6 7 8 9\n"), doctest::Contains("line 3"), InputError);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "lib/io/stl_bytes.h"
 #include "transformesh/mesh_io.h"
 
@@ -42,6 +44,25 @@ TEST_CASE("stl: text in upper case, several solids, odd normals, a name with fac
   CHECK(has_note(result.notes, "stl: 1 polygon cut into 2 triangles"));
 }
 
+TEST_CASE("stl: text with any line breaks, also without any") {
+  std::string facets =
+      "facet normal 0 0 1 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet ";
+  for (const char separator : {'\n', '\r', '\t', ' '}) {
+    std::replace_if(
+        facets.begin(), facets.end(), [](char c) { return c <= ' '; }, separator);
+    std::string text = "solid a  b ";
+    text += facets + facets + "endsolid a  b solid c " + facets + "endsolid c";
+    for (const char* name : {"b facet", "b solid", "c facet"})
+      if (const auto place = text.find(name); place != std::string::npos)
+        text[place + 1] = separator;
+    const ReadResult result = read_mesh(text, "");
+    CHECK(result.document.mesh.faces.size() == 3);
+    CHECK(result.document.style.comments == std::vector<std::string>{"a  b"});
+    CHECK(result.notes.size() == 2);  // the soup, and the number of solids
+    CHECK(contains(read_error(text.substr(0, text.size() - 20)), "ends within facet 2"));
+  }
+}
+
 TEST_CASE("stl: errors name the place") {
   Bytes file = binary_start("x", 2);
   add_facet(file, 0, 0);
@@ -57,7 +78,7 @@ TEST_CASE("stl: errors name the place") {
   CHECK(changed("endfacet\nendsolid box\n", "") ==
         "the data ends within facet 0, before 'endsolid' (input line 8)");
   CHECK(changed("vertex 0 0 0", "vertex 0 0") ==
-        "a coordinate of facet 0 is missing (input line 4)");
+        "a coordinate of facet 0 is not a number: 'vertex' (input line 5)");
   CHECK(changed("outer", "inner") ==
         "'outer' is missing in facet 0, which has 'inner' (input line 3)");
 }

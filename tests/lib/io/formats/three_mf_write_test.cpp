@@ -41,6 +41,26 @@ TEST_CASE("3mf: colors of vertices or of faces") {
   CHECK(of_vertices.mesh.face_columns.columns.empty());
 }
 
+TEST_CASE("3mf: colors of other types are rounded to bytes, with a note") {
+  for (const Scalar type : {Scalar::uint16, Scalar::float32, Scalar::int32}) {
+    const double full = type == Scalar::uint16 ? 65535 : type == Scalar::int32 ? 255 : 1;
+    Document document{tetrahedron(), {}, {}};
+    document.style.format = Format::three_mf;
+    for (const char* name : {"red", "green", "blue"})
+      document.mesh.vertex_columns.get(name, type, 4).values = {0, full / 5, full, full};
+    const auto exact = write_mesh(document);
+    CHECK(exact.notes.empty());
+    CHECK(column(read_document(exact.bytes).mesh.vertex_columns, "red").values ==
+          std::vector<double>{0, 51, 255, 255});
+    if (type == Scalar::int32) continue;
+    document.mesh.vertex_columns.find("red")->values[0] = full / 1000;
+    CHECK(write_mesh(document).notes ==
+          std::vector<std::string>{"3mf: colors are rounded to bytes"});
+    document.mesh.vertex_columns.find("red")->values[0] = -1;
+    CHECK(write_mesh(document).notes.size() == 3);  // the three columns are dropped
+  }
+}
+
 TEST_CASE("3mf: no points, and no triangles of two corners") {
   Document document = three_mf_document();
   document.mesh.faces.push_back({1, 1, 2});
