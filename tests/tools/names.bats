@@ -39,15 +39,23 @@ name_is_taken() {
     [ "$kind" = source ] || mv input "$place"
     "$program" "${arguments[@]}" -q "${input[@]}" >../expected
     [ "$kind" = source ] || [[ $name != -* ]] || input=(-- "$name")
-    "$program" "${arguments[@]}" -q --report "$place" "${input[@]}" | cmp - ../expected
+    "$program" "${arguments[@]}" -q --report /dev/null "${input[@]}" | cmp - ../expected
+    # Only an output of the same kind may replace the input.
+    [ "$kind" = source ] || mv "$place" input
+    "$program" "${arguments[@]}" -q --report "$place" "${input[@]:+input}" | cmp - ../expected
     [ "$(jq -r .tool "$place")" = "$program" ]
-    [ "$kind" = source ] || cp "$mesh" "$place"
-    # The second run overwrites existing files, and the input itself.
+    case $kind in
+      source) ;;
+      predicate | picture) input=(input) ;;
+      *) mv input "$place" ;;
+    esac
+    # The second run overwrites existing files.
     for spelling in "-o$place" "--output=$place"; do
       "$program" "${arguments[@]}" -q "$spelling" "${input[@]}"
       cmp "$place" ../expected
-      [ "$kind" = source ] || cp "$mesh" "$place"
+      [ "${input[*]}" = input ] || [ "$kind" = source ] || cp "$mesh" "$place"
     done
+    [ "${input[*]}" != input ] || mv input "$place"
     # Only the state of a loop may be left.
     rm -rf ./*.tm-*
     [ "$(find . -mindepth 1 -printf x)" = x ] || fail "left behind: $(ls -A)"

@@ -110,7 +110,7 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
     throw UsageError("give either --resume or --restart, not both");
   // If --run is given, all outputs are in its folder. The folder is created later, together with
   // the state, so only check here that it can be used.
-  choices.run.empty() ? run.out().check_files() : check_run_folder(choices.run);
+  choices.run.empty() ? run.out().check_files(!state.empty()) : check_run_folder(choices.run);
   const std::string& name = run.program().name;
   report_interruption(name, is_continuable ? "; --resume continues" : "");
   if (state.empty() && is_continuable) state = name_beside(run.out().name(), "", '.' + name);

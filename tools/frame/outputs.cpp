@@ -55,14 +55,14 @@ void Outputs::check_name() const {
     throw UsageError("not writing a picture to a terminal: redirect it or name a file with -o");
 }
 
-void Outputs::check_files() const {
+void Outputs::check_files(bool is_main_folder) const {
   const bool may_replace_input = program_.writes_mesh() || program_.output.writes == Writes::text;
   std::map<std::string, std::string> options;  // names of options by the place of their file
   for (const Option& option : program_.options) {
     const std::string path = option.text();
     const std::string dashed = "--" + option.name();
     const bool is_main = option.name() == "output";
-    if (!option.is_output || (path.empty() && !is_main)) continue;
+    if (!option.is_output || (is_main ? is_main_folder : path.empty())) continue;
     if (path == "-" && !is_main && program_.is_evolution())
       throw UsageError(dashed + ": name a file, because standard output holds the mesh");
     check_writable(path);

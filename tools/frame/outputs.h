@@ -43,8 +43,8 @@ class Outputs {
   void check_name() const;
   /// Throws UsageError if two options name the same output file, or if an output would replace an
   /// input. Only a main output of the same kind may replace the input. Throws OutputError if a file
-  /// cannot be written.
-  void check_files() const;
+  /// cannot be written. The main output is not checked if it is a folder.
+  void check_files(bool is_main_folder = false) const;
   /// Sets a document's format and type of coordinates to those of -o.
   void set_style(Document& document);
   /// Adds the reference edge and the provenance (program and options) to the comments of a mesh. A
