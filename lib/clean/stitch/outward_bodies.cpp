@@ -33,6 +33,9 @@ class Bodies {
   /// number of closed components contains it, or inwards although the number is even.
   std::vector<char> against_nesting() const;
   bool any_negative() const;
+  /// True if the winding number in front of or behind a closed component is neither 0 nor 1. Only
+  /// components inside others count.
+  bool any_in_body() const;
   Index of_face(std::size_t face) const { return parts_.of_face[face]; }
 
  private:
@@ -187,6 +190,17 @@ std::vector<char> Bodies::against_nesting() const {
   return is_wrong;
 }
 
+bool Bodies::any_in_body() const {
+  const std::vector<std::vector<Index>> around = containers();
+  for (Index part = 0; part < around.size(); ++part) {
+    int winding = 0;
+    for (const Index outer : around[part]) winding += volume(outer) < 0 ? -1 : 1;
+    const bool is_inside = is_closed(part) && !around[part].empty();
+    if (is_inside && winding != (volume(part) < 0 ? 1 : 0)) return true;
+  }
+  return false;
+}
+
 std::size_t turn(Mesh& mesh, const Bodies& bodies, const std::vector<char>& is_turned) {
   std::size_t turned = 0;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
@@ -204,6 +218,8 @@ bool has_inward_bodies(const Mesh& mesh) {
   const Bodies bodies(mesh);
   return bodies.any_negative() && std::ranges::count(bodies.inward(), 1) > 0;
 }
+
+bool has_bodies_in_bodies(const Mesh& mesh) { return Bodies(mesh).any_in_body(); }
 
 std::size_t turn_bodies_outwards(Mesh& mesh) {
   const Bodies bodies(mesh);
