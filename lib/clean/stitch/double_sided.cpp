@@ -107,9 +107,11 @@ bool needs_one_side(const Mesh& mesh) {
   Mesh welded{mesh.positions, without_collapsed(welded_faces(mesh)), {}, {}};
   const Edges edges(welded);
   if (has_double_part(welded.faces, edges)) return true;
+  Mesh both = welded;
   if (drop_reverses(welded) == 0) return false;
   drop_copies(welded);
-  return count_odd(Edges(welded)) < count_odd(edges);
+  drop_copies(both);
+  return count_odd(Edges(welded)) < std::min(count_odd(edges), count_odd(Edges(both)));
 }
 
 bool one_side_is_open(const Mesh& mesh) {
