@@ -251,6 +251,25 @@ TEST_CASE("solids that share an edge, a vertex or a face come out whole from a s
   }
 }
 
+TEST_CASE("volumes of extreme size orient solids, which share faces, or are inside out") {
+  Mesh both = test::joined(test::cube(), test::moved(test::cube(), {1, 0, 0}));
+  both = test::joined(both, test::scaled(test::reversed(test::cube()), -0.5));
+  for (const double size : {1e-150, 1e-108, 1e110, 1e150}) {
+    CAPTURE(size);
+    StitchOptions options;
+    options.outwards = true;
+    Mesh mesh = test::scaled(test::reversed(both), size);
+    stitch(mesh, options);
+    for (const double v : volumes(test::scaled(mesh, 1 / size))) CHECK(v > 0);
+    mesh = test::scaled(shuffled(both, 5), size);
+    orient(mesh);
+    CHECK(is_closed_manifold(mesh));
+    const std::vector<double> found = volumes(test::scaled(mesh, 1 / size));
+    REQUIRE(found.size() == 3);
+    for (const double v : found) CHECK(v > 0.1);
+  }
+}
+
 TEST_CASE("touching solids that are inside out come out whole if they are turned outwards") {
   const Mesh pair = test::joined(test::cube(), test::moved(test::cube(), {1, 1, 0}));
   const Mesh three = test::joined(pair, test::moved(test::cube(), {0, 1, 1}));
