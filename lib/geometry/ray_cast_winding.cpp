@@ -18,6 +18,38 @@ std::optional<int> common_sign(int a, int b, int c) {
 
 bool has_two_sides(const Triangle& t) { return !collinear(t[0], t[1], t[2]); }
 
+constexpr PlaneProjection ray_view{1, 2};  ///< along the rays, which have the direction (1, 0, 0)
+
+/// True if the projection of the point is in the projected triangle or on its boundary. Also true
+/// for some points that are collinear with a triangle whose projection has no area.
+bool may_meet(const Triangle& t, const Vec3& point, PlaneProjection view) {
+  return common_sign(orient2d(t[0], t[1], point, view), orient2d(t[1], t[2], point, view),
+                     orient2d(t[2], t[0], point, view))
+      .has_value();
+}
+
+/// True if a point in the plane of the triangle is in the triangle or on its boundary.
+bool contains(const Triangle& t, const Vec3& point) {
+  return has_two_sides(t) && may_meet(t, point, projection_of(t));
+}
+
+/// Returns the side of the projected edge from a to b on which the shifted point is. The shift is
+/// infinitely small along y, and infinitely smaller along z. Returns 0 only if the projections of
+/// both ends are equal. (Edelsbrunner & Muecke, "Simulation of simplicity", 1990.)
+int shifted_side(const Vec3& a, const Vec3& b, const Vec3& point) {
+  if (const int side = orient2d(a, b, point, ray_view); side != 0) return side;
+  if (a.y() != b.y()) return a.y() > b.y() ? 1 : -1;
+  return a.z() < b.z() ? 1 : a.z() > b.z() ? -1 : 0;
+}
+
+/// Orientation of the projected triangle if the line along x through the shifted point meets it: 1
+/// if the line leaves the triangle at its front, -1 at its back. Otherwise 0.
+int shifted_turn(const Triangle& t, const Vec3& point) {
+  return common_sign(shifted_side(t[0], t[1], point), shifted_side(t[1], t[2], point),
+                     shifted_side(t[2], t[0], point))
+      .value_or(0);
+}
+
 }  // namespace
 
 RayCastWinding::RayCastWinding(const Mesh& mesh) : mesh_(&mesh), frame_(mesh.positions) {
@@ -30,42 +62,21 @@ RayCastWinding::RayCastWinding(const Mesh& mesh) : mesh_(&mesh), frame_(mesh.pos
   bvh_ = Bvh(boxes);
 }
 
-std::optional<int> RayCastWinding::cast(const Vec3& point, int axis, bool towards_infinity) const {
+std::optional<int> RayCastWinding::operator()(const Vec3& point) const {
   FloatBox ray = frame_.box(point, point);
-  const auto along = static_cast<std::size_t>(axis);
-  (towards_infinity ? ray.max()[along] : ray.min()[along]) =
-      towards_infinity ? infinity : -infinity;
-
-  const PlaneProjection view{(axis + 1) % 3, (axis + 2) % 3};
-  const int forward = towards_infinity ? 1 : -1;
-  bool is_certain = true;
+  ray.max()[0] = infinity;
+  bool is_on_surface = false;
   int winding = 0;
   bvh_.visit_overlaps(ray, [&](Index face) {
     const Triangle t = triangle_of(*mesh_, face);
-    // Orientation of the projected face around the line through the point in axis direction. It is
-    // +1 if the line leaves the face at its front, -1 at its back, and 0 if the line meets the
-    // boundary of the face. Nothing if the line misses the face.
-    const std::optional<int> turn =
-        common_sign(orient2d(t[0], t[1], point, view), orient2d(t[1], t[2], point, view),
-                    orient2d(t[2], t[0], point, view));
-    if (!turn) return true;
+    if (!may_meet(t, point, ray_view)) return true;
     const int side = orient3d(t[0], t[1], t[2], point);
-    if (*turn == 0 ? has_two_sides(t) : side == 0) {
-      is_certain = false;
-    } else if (*turn * side * forward < 0) {
-      winding += *turn * forward;
-    }
-    return is_certain;
+    is_on_surface = side == 0 && contains(t, point);
+    if (const int turn = shifted_turn(t, point); turn * side < 0) winding += turn;
+    return !is_on_surface;
   });
-  if (!is_certain) return std::nullopt;
+  if (is_on_surface) return std::nullopt;
   return winding;
-}
-
-std::optional<int> RayCastWinding::operator()(const Vec3& point) const {
-  for (int axis = 0; axis < 3; ++axis)
-    for (const bool towards_infinity : {true, false})
-      if (const std::optional<int> winding = cast(point, axis, towards_infinity)) return winding;
-  return std::nullopt;
 }
 
 bool RayCastWinding::blocks(const Vec3& from, const Vec3& to) const {

@@ -1,6 +1,6 @@
-/// Winding numbers of a closed oriented mesh at points, by counting the faces that a ray along an
-/// axis crosses. Exact predicates decide on each crossing, so the number is exact. If a ray meets
-/// an edge, a corner or a face parallel to it, a ray in another direction is used instead.
+/// Winding numbers of a closed oriented mesh at points, by counting the faces that a ray along the
+/// x axis crosses. Exact predicates decide on each crossing, so the number is exact. The ray is
+/// shifted by an infinitely small distance, so that it meets no edge and no corner.
 /// (SolidAngleWinding sums solid angles instead: for any mesh, in floating point, in O(faces) per
 /// point.)
 ///
@@ -22,16 +22,13 @@ class RayCastWinding {
   /// Keeps a reference to the mesh.
   explicit RayCastWinding(const Mesh& mesh);
 
-  /// Returns the winding number. Returns nothing if the point is on the surface, or if no ray along
-  /// an axis crosses faces in their interiors only.
+  /// Returns the winding number. Returns nothing if the point is on the surface.
   std::optional<int> operator()(const Vec3& point) const;
 
   /// True if the segment intersects a face. May also be true for a segment in the plane of a face.
   bool blocks(const Vec3& from, const Vec3& to) const;
 
  private:
-  std::optional<int> cast(const Vec3& point, int axis, bool towards_infinity) const;
-
   const Mesh* mesh_;
   BoxFrame frame_;
   Bvh bvh_;

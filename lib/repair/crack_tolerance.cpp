@@ -14,19 +14,19 @@
 namespace transformesh {
 namespace {
 
-/// A crack must be narrower than other lengths of the mesh: the next larger border distance or edge
-/// is at least this many times the crack width. The ratio is in the thousands at cracks that
-/// rounded coordinates cause. With a lower limit, narrow slots would count as cracks; with a much
-/// higher limit, cracks in finely meshed files with six digits would be missed.
+/// A crack must be narrower than other lengths of the mesh: the next larger border distance, and
+/// nearly all edges, are at least this many times the crack width. The ratio is in the thousands at
+/// cracks that rounded coordinates cause. With a lower limit, narrow slots would count as cracks;
+/// with a much higher limit, cracks in finely meshed files with six digits would be missed.
 constexpr double clear_gap = 8;
 
 /// Largest crack width as a share of the bounding box diagonal. Files with four digits have cracks
 /// of 1e-4. With a limit of 1e-3, the two sides of thin walls without rim faces would be joined.
 constexpr double widest_crack = 2e-4;
 
-/// Largest ratio of the number of edges that would collapse to the number of vertices at cracks.
-/// Edges that are not longer than the crack width collapse. If more edges are that short, the width
-/// is a distance within the mesh, not of a crack.
+/// Largest ratio of the number of edges that may collapse to the number of vertices at cracks.
+/// Edges up to `clear_gap` times the crack width may collapse. If more edges are that short, the
+/// width is a distance within the mesh, not of a crack.
 constexpr double lost_edges = 0.1;
 
 /// Cosine of 25 degrees. Two faces at an edge fold back if the angle between them is smaller. With
@@ -111,7 +111,7 @@ Cracks widest_clear(const Lengths& lengths, double least, double diagonal) {
   for (std::size_t k = 0; k < borders.size(); ++k) {
     const double width = std::max(least, borders[k].length);
     if (width > widest_crack * diagonal) break;
-    const std::size_t shorter = count_up_to(lengths.edges, width);
+    const std::size_t shorter = count_up_to(lengths.edges, clear_gap * width);
     double next = k + 1 < borders.size() ? borders[k + 1].length : diagonal;
     if (shorter < lengths.edges.size()) next = std::min(next, lengths.edges[shorter]);
     const bool is_clear = next >= clear_gap * width;

@@ -162,7 +162,8 @@ void Repair::refuse_large_change() const {
 RepairResult Repair::run() {
   RepairResult result;
   const Sizes before = sizes_of(input_);
-  if (!is_solid(check(), options_.keep_open) || has_inward_bodies(input_)) {
+  if (!is_solid(check(), options_.keep_open) || has_inward_bodies(input_) ||
+      has_bodies_in_bodies(input_)) {
     join();
     fill_and_clean();
     drop_shards();

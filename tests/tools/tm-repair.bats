@@ -108,6 +108,17 @@ cracked() {
   repairs hole.off "$volume"
 }
 
+@test "a cavity stays a cavity if its vertices are in line with edges of the body" {
+  tm-shape box 4 4 4 --edge 2 -o outer.ply
+  tm-shape box 2 2 2 --edge 2 | tm-stitch --flip | tm-cat outer.ply - | tm-convert --format stl -o soup.stl
+  repairs soup.stl 56
+}
+
+@test "a body inside a body is removed, also from a mesh that is closed and does not intersect" {
+  tm-shape sphere --radius 0.3 --faces 300 | tm-cat box.ply - -o double.ply
+  repairs double.ply 3
+}
+
 @test "a solid passes byte for byte, in any format" {
   for format in ply ply-ascii ply-be off obj stl; do
     tm-convert -q --no-provenance --float --format "$format" box.ply >"solid.$format"

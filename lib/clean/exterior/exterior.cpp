@@ -1,6 +1,7 @@
 #include "clean/exterior/exterior.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "clean/exterior/ray_cast_front_winding.h"
@@ -84,7 +85,8 @@ std::size_t drop_enclosed_components(Mesh& mesh) {
 std::size_t drop_enclosed_components(Mesh& mesh, const Components& components) {
   std::vector<char> is_cavity;
   for (const Component& c : components.components) {
-    is_cavity.push_back(c.boundary_loops == 0 && c.volume < 0);
+    // A negative volume may underflow to -0.
+    is_cavity.push_back(c.boundary_loops == 0 && std::signbit(c.volume));
   }
   const std::size_t cavities = drop_components(mesh, components, is_cavity);
   if (cavities == 0) return 0;

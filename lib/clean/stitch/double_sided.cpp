@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <tuple>
 #include <vector>
 
@@ -107,9 +108,11 @@ bool needs_one_side(const Mesh& mesh) {
   Mesh welded{mesh.positions, without_collapsed(welded_faces(mesh)), {}, {}};
   const Edges edges(welded);
   if (has_double_part(welded.faces, edges)) return true;
+  Mesh both = welded;
   if (drop_reverses(welded) == 0) return false;
   drop_copies(welded);
-  return count_odd(Edges(welded)) < count_odd(edges);
+  drop_copies(both);
+  return count_odd(Edges(welded)) < std::min(count_odd(edges), count_odd(Edges(both)));
 }
 
 bool one_side_is_open(const Mesh& mesh) {
@@ -146,7 +149,8 @@ std::size_t turn_outwards(Mesh& mesh) {
   std::size_t turned = 0;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     const Component& component = all.components[all.of_face[f]];
-    if (component.boundary_loops > 0 || component.volume >= 0) continue;
+    // A negative volume may underflow to -0.
+    if (component.boundary_loops > 0 || !std::signbit(component.volume)) continue;
     std::swap(mesh.faces[f][1], mesh.faces[f][2]);
     reverse_corner_lists(mesh, static_cast<Index>(f));
     ++turned;

@@ -19,7 +19,7 @@ std::size_t count_double_sided(const Mesh& mesh);
 /// Otherwise such faces are walls between bodies that touch, and winding numbers do not count them.
 /// One side must be removed in two cases. Either all faces of a connected part coincide with
 /// others, some with opposite orientations. Or fewer edges have an odd number of faces if only one
-/// of coincident faces stays.
+/// of coincident faces stays, also compared with the mesh without copies of the same orientation.
 bool needs_one_side(const Mesh& mesh);
 
 /// True if the mesh would have a border after two steps: vertices at equal positions are merged,

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <string>
@@ -12,6 +13,7 @@
 #include "clean/stitch/sheet_alignment.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edges.h"
+#include "mesh/local_measures.h"
 #include "mesh/location_text.h"
 #include "mesh/surface_columns.h"
 #include "transformesh/errors.h"
@@ -55,6 +57,7 @@ class Orienter {
   void reverse_group(const std::vector<Index>& group);
 
   const Mesh& mesh_;
+  const double scale_;  ///< power of two for coordinates, so that volumes do not overflow
   const bool keeps_most_;
   const Edges edges_;
   /// For each halfedge, the opposite halfedge in the neighboring face of the same sheet, or
@@ -74,6 +77,7 @@ class Orienter {
 
 Orienter::Orienter(const Mesh& mesh, bool keeps_most)
     : mesh_(mesh),
+      scale_(std::ldexp(1.0, -std::max(extreme_exponent(mesh), -1000))),
       keeps_most_(keeps_most),
       edges_(without_collapsed(mesh.faces), mesh.positions.size()),
       across_(neighbors_in_layers(mesh, edges_)),
@@ -157,7 +161,7 @@ void Orienter::measure_volumes(const std::vector<Index>& group) {
   std::size_t count = 0;
   for (const Index sheet : group) {
     for (const Index f : sheets_[sheet].faces) {
-      for (const Index v : mesh_.faces[f]) middle += mesh_.positions[v];
+      for (const Index v : mesh_.faces[f]) middle += scale_ * mesh_.positions[v];
     }
     count += 3 * sheets_[sheet].faces.size();
   }
@@ -165,8 +169,8 @@ void Orienter::measure_volumes(const std::vector<Index>& group) {
   for (const Index sheet : group) {
     for (const Index f : sheets_[sheet].faces) {
       const auto& [i, j, k] = mesh_.faces[f];
-      const Vec3 a = mesh_.positions[i] - middle, b = mesh_.positions[j] - middle;
-      const double part = a.cross(b).dot(mesh_.positions[k] - middle);
+      const Vec3 a = scale_ * mesh_.positions[i] - middle, b = scale_ * mesh_.positions[j] - middle;
+      const double part = a.cross(b).dot(scale_ * mesh_.positions[k] - middle);
       sheets_[sheet].volume += is_reversed_[f] ? -part : part;
     }
   }

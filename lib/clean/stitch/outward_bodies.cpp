@@ -33,6 +33,9 @@ class Bodies {
   /// number of closed components contains it, or inwards although the number is even.
   std::vector<char> against_nesting() const;
   bool any_negative() const;
+  /// True if the winding number in front of or behind a closed component is neither 0 nor 1. Only
+  /// components inside others count.
+  bool any_in_body() const;
   Index of_face(std::size_t face) const { return parts_.of_face[face]; }
 
  private:
@@ -40,6 +43,8 @@ class Bodies {
   void for_each_within(Index outer, const Visit& visit) const;
   std::vector<std::vector<Index>> containers() const;
   double volume(Index part) const { return parts_.components[part].volume; }
+  /// True if the volume is negative, also if it underflows to -0.
+  bool is_negative(Index part) const { return std::signbit(volume(part)); }
   bool is_closed(Index part) const { return parts_.components[part].boundary_loops == 0; }
   void erase_enclosed(std::vector<Index>& inners) const;
   bool most_vote(Index inner, const std::function<std::optional<bool>(const Vec3&)>& vote) const;
@@ -69,7 +74,7 @@ Bodies::Bodies(const Mesh& mesh)
 
 bool Bodies::any_negative() const {
   for (Index part = 0; part < faces_.size(); ++part)
-    if (is_closed(part) && parts_.components[part].volume < 0) return true;
+    if (is_closed(part) && is_negative(part)) return true;
   return false;
 }
 
@@ -163,7 +168,7 @@ std::vector<char> Bodies::inward() const {
   std::vector<char> is_inward(around.size(), 0);
   std::vector<Index> roots;
   for (Index part = 0; part < around.size(); ++part)
-    if (is_closed(part) && volume(part) < 0 && around[part].empty()) roots.push_back(part);
+    if (is_closed(part) && is_negative(part) && around[part].empty()) roots.push_back(part);
   erase_enclosed(roots);
   for (const Index part : roots) is_inward[part] = 1;
   for (Index part = 0; part < around.size(); ++part) {
@@ -182,9 +187,20 @@ std::vector<char> Bodies::against_nesting() const {
   std::vector<char> is_wrong(around.size(), 0);
   for (Index part = 0; part < around.size(); ++part) {
     const bool is_cavity = around[part].size() % 2 == 1;
-    is_wrong[part] = is_closed(part) && (volume(part) < 0) != is_cavity ? 1 : 0;
+    is_wrong[part] = is_closed(part) && is_negative(part) != is_cavity ? 1 : 0;
   }
   return is_wrong;
+}
+
+bool Bodies::any_in_body() const {
+  const std::vector<std::vector<Index>> around = containers();
+  for (Index part = 0; part < around.size(); ++part) {
+    int winding = 0;
+    for (const Index outer : around[part]) winding += is_negative(outer) ? -1 : 1;
+    const bool is_inside = is_closed(part) && !around[part].empty();
+    if (is_inside && winding != (is_negative(part) ? 1 : 0)) return true;
+  }
+  return false;
 }
 
 std::size_t turn(Mesh& mesh, const Bodies& bodies, const std::vector<char>& is_turned) {
@@ -204,6 +220,8 @@ bool has_inward_bodies(const Mesh& mesh) {
   const Bodies bodies(mesh);
   return bodies.any_negative() && std::ranges::count(bodies.inward(), 1) > 0;
 }
+
+bool has_bodies_in_bodies(const Mesh& mesh) { return Bodies(mesh).any_in_body(); }
 
 std::size_t turn_bodies_outwards(Mesh& mesh) {
   const Bodies bodies(mesh);

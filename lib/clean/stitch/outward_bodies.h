@@ -14,6 +14,10 @@ namespace transformesh {
 
 bool has_inward_bodies(const Mesh& mesh);
 
+/// True if a closed component lies inside others such that the winding number on one of its sides
+/// is neither 0 nor 1. An example is a body inside a body. Components must not intersect.
+bool has_bodies_in_bodies(const Mesh& mesh);
+
 /// Reverses all components of each body that is inside out, so that cavities remain cavities. A
 /// body is an outermost closed component with all components in it. Returns the number of reversed
 /// faces.

@@ -98,6 +98,34 @@ std::size_t separate_umbrellas(Mesh& mesh, const Umbrellas& umbrellas) {
   return copies.size();
 }
 
+std::vector<Index> pair_halfedges(const Mesh& mesh, const Edges& edges) {
+  return pair_across_inside(mesh.faces, edges, [&](std::span<const Index> halfedges) {
+    return sort_around_edge(mesh, halfedges);
+  });
+}
+
+// Reverses bodies that are inside out if edges have more than two faces, before halfedges are
+// paired. Otherwise faces on both sides of the outside would become neighbors, and bodies that
+// touch would become one. Returns the number of reversed faces.
+std::size_t turn_touching_bodies(Mesh& mesh) {
+  Mesh apart{mesh.positions, mesh.faces, {}, {}};
+  {
+    const Edges edges(mesh);
+    std::size_t e = 0;
+    while (e < edges.size() && edges.halfedges(e).size() <= 2) ++e;
+    if (e == edges.size()) return 0;
+    separate_umbrellas(apart, find_umbrellas(mesh.faces, pair_halfedges(mesh, edges)));
+  }
+  const std::vector<Face> before = apart.faces;
+  const std::size_t turned = turn_bodies_outwards(apart);
+  for (Index f = 0; turned > 0 && f < before.size(); ++f) {
+    if (apart.faces[f] == before[f]) continue;
+    std::swap(mesh.faces[f][1], mesh.faces[f][2]);
+    reverse_corner_lists(mesh, f);
+  }
+  return turned;
+}
+
 // Splits edges that still have more than two faces. A midpoint interpolates the columns of the ends
 // of its edge; a new face gets the columns of the face from which it is cut.
 std::size_t split_edges(Mesh& mesh, std::vector<Index>& opposite) {
@@ -136,10 +164,10 @@ StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
   const std::vector<Face> all_faces = mesh.faces;
   result.dropped_faces = drop_collapsed_faces(mesh);
 
+  if (options.outwards && !options.one_side) result.reversed_faces += turn_touching_bodies(mesh);
+
   const Edges edges(mesh);
-  std::vector<Index> opposite = pair_across_inside(
-      mesh.faces, edges,
-      [&](std::span<const Index> halfedges) { return sort_around_edge(mesh, halfedges); });
+  std::vector<Index> opposite = pair_halfedges(mesh, edges);
   count_open_edges(edges, opposite, result);
   if (result.misoriented_edges > 0) {
     const Mesh all{mesh.positions, all_faces, {}, {}};

@@ -4,6 +4,7 @@
 
 #include "geometry/solid_angle_winding.h"
 #include "helpers/random.h"
+#include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 
 using namespace transformesh;
@@ -40,7 +41,7 @@ TEST_CASE("rays agree with solid angles") {
   CHECK(highest >= 3);
 }
 
-TEST_CASE("a ray through edges and corners is replaced, and a point on the surface has no number") {
+TEST_CASE("rays through edges and corners count, and a point on the surface has no number") {
   const Mesh mesh = cuboid({0, 0, 0}, {4, 4, 4});
   const RayCastWinding winding(mesh);
   CHECK(winding({1, 2, 3}) == 1);
@@ -49,6 +50,19 @@ TEST_CASE("a ray through edges and corners is replaced, and a point on the surfa
   CHECK(winding({1, 1, 5}) == 0);
   CHECK(!winding({1, 0, 2}));
   CHECK(!winding({0, 0, 0}));
+  // Rays from (2, 2, 2) meet corners, edges or diagonals in all directions.
+  ShapeOptions options = shape("box", 0, {"4", "4", "4"});
+  options.edge = 2;
+  options.center = {2, 2, 2};
+  const Mesh grid = make_shape(options);
+  const RayCastWinding of_grid(grid);
+  CHECK(of_grid({2, 2, 2}) == 1);
+  CHECK(of_grid({-2, 2, 2}) == 0);
+  CHECK(of_grid({-2, 4, 2}) == 0);
+  CHECK(of_grid({-2, 4, 4}) == 0);
+  CHECK(of_grid({-2, 0, 0}) == 0);
+  CHECK(!of_grid({2, 2, 4}));
+  CHECK(!of_grid({1, 4, 4}));
   CHECK(RayCastWinding(Mesh())({1, 2, 3}) == 0);
 }
 

@@ -45,6 +45,23 @@ TEST_CASE("the measured width is that of the cracks, and the tolerance closes th
   }
 }
 
+TEST_CASE("a few faces as short as the cracks are wide do not hide the cracks") {
+  Mesh solid = test::icosphere(3);
+  const std::size_t faces = solid.faces.size();
+  for (Index f = 0; f < 10; ++f) {
+    const auto& [a, b, c] = solid.faces[100 * f];
+    solid.faces.push_back({a, a, b});
+  }
+  Mesh mesh = jittered(solid, 1e-6);
+  const Cracks cracks = find_cracks(mesh);
+  CHECK(cracks.width > 1e-7);
+  CHECK(cracks.width < 1.8e-6);
+  const StitchResult result = stitch(mesh, {.tolerance = cracks.tolerance});
+  CHECK(check_manifold(mesh).is_closed());
+  CHECK(result.dropped_faces == 10);
+  CHECK(mesh.faces.size() == faces);
+}
+
 TEST_CASE("closed meshes, soups with equal places and open meshes have no cracks") {
   CHECK(find_cracks(test::icosphere(2)).tolerance == 0);
   CHECK(find_cracks(test::soup_of(test::icosphere(2))).tolerance == 0);

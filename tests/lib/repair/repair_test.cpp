@@ -162,6 +162,10 @@ TEST_CASE("walls between cubes that touch are no second side of a surface") {
   const double cells = static_cast<double>(cubes(4, some, none).faces.size()) / 12;
   CHECK(volume(repair(cubes(4, some, third)).mesh) == doctest::Approx(cells));
   CHECK(volume(repair(test::soup_of(cubes(4, some, none))).mesh) == doctest::Approx(cells));
+  Mesh copied = cubes(4, some, none);
+  for (std::size_t f = 0, n = copied.faces.size(); f < n; f += 10)
+    copied.faces.push_back(copied.faces[f]);
+  CHECK(volume(repair(copied).mesh) == doctest::Approx(cells));
   Mesh open = cubes(4, some, none);
   open.faces.pop_back();
   CHECK(volume(repair(open).mesh) == doctest::Approx(cells));

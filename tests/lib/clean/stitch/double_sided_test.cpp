@@ -67,6 +67,10 @@ TEST_CASE("one side must go where a part has no other faces, or where it leaves 
   CHECK(!needs_one_side(touching));
   CHECK(!needs_one_side(test::soup_of(touching)));
   CHECK(needs_one_side(test::joined(touching, test::moved(double_sided(cube, 3), {5, 0, 0}))));
+  // A copy of each third face makes odd edges, but no second side.
+  Mesh copied = touching;
+  for (Index f = 0; f < touching.faces.size(); f += 3) copied.faces.push_back(touching.faces[f]);
+  CHECK(!needs_one_side(copied));
 
   // Two sides of the cube's faces have a reverse.
   Mesh partly = cube;

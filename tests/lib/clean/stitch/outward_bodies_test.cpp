@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "helpers/mesh_facts.h"
+#include "helpers/shape_options.h"
 #include "helpers/shapes.h"
 #include "transformesh/stitch.h"
 
@@ -37,6 +38,24 @@ TEST_CASE("an inside-out body is reversed together with its contents, and no oth
   CHECK(turn_bodies_outwards(mesh) == nested().faces.size());
   CHECK(volume_of(mesh) == doctest::Approx(2 * volume_of(nested())));
   CHECK_FALSE(has_inward_bodies(mesh));
+}
+
+TEST_CASE("a cavity whose vertices are in line with edges of the body stays a cavity") {
+  ShapeOptions options = test::shape("box", 0, {"4", "4", "4"});
+  options.edge = 2;
+  Mesh mesh = make_shape(options);
+  options.parameters = {"2", "2", "2"};
+  mesh = test::joined(mesh, test::reversed(make_shape(options)));
+  CHECK_FALSE(has_inward_bodies(mesh));
+  CHECK(turn_bodies_outwards(mesh) == 0);
+}
+
+TEST_CASE("a body in a body, and a cavity in a cavity, are found") {
+  CHECK_FALSE(has_bodies_in_bodies(nested()));
+  CHECK(has_bodies_in_bodies(test::joined(ball(3), ball(2))));
+  const Mesh cavity = test::joined(ball(3), test::reversed(ball(2)));
+  CHECK_FALSE(has_bodies_in_bodies(cavity));
+  CHECK(has_bodies_in_bodies(test::joined(cavity, test::reversed(ball(1)))));
 }
 
 TEST_CASE("a cavity of a body with a hole stays a cavity") {

@@ -251,6 +251,43 @@ TEST_CASE("solids that share an edge, a vertex or a face come out whole from a s
   }
 }
 
+TEST_CASE("volumes of extreme size orient solids, which share faces, or are inside out") {
+  Mesh both = test::joined(test::cube(), test::moved(test::cube(), {1, 0, 0}));
+  both = test::joined(both, test::scaled(test::reversed(test::cube()), -0.5));
+  for (const double size : {1e-150, 1e-108, 1e110, 1e150}) {
+    CAPTURE(size);
+    StitchOptions options;
+    options.outwards = true;
+    Mesh mesh = test::scaled(test::reversed(both), size);
+    stitch(mesh, options);
+    for (const double v : volumes(test::scaled(mesh, 1 / size))) CHECK(v > 0);
+    mesh = test::scaled(shuffled(both, 5), size);
+    orient(mesh);
+    CHECK(is_closed_manifold(mesh));
+    const std::vector<double> found = volumes(test::scaled(mesh, 1 / size));
+    REQUIRE(found.size() == 3);
+    for (const double v : found) CHECK(v > 0.1);
+  }
+}
+
+TEST_CASE("touching solids that are inside out come out whole if they are turned outwards") {
+  const Mesh pair = test::joined(test::cube(), test::moved(test::cube(), {1, 1, 0}));
+  const Mesh three = test::joined(pair, test::moved(test::cube(), {0, 1, 1}));
+  for (const bool orients : {false, true}) {
+    StitchOptions options;
+    options.outwards = true;
+    options.orient = orients;
+    Mesh mesh = test::soup_of(test::reversed(three));
+    // One face of another direction: most faces are still inside out.
+    if (orients) std::swap(mesh.faces[0][1], mesh.faces[0][2]);
+    const StitchResult result = stitch(mesh, options);
+    CHECK(result.split_edges == 0);
+    CHECK(is_closed_manifold(mesh));
+    CHECK(volumes(mesh).size() == 3);
+    for (const double v : volumes(mesh)) CHECK(v == doctest::Approx(1));
+  }
+}
+
 TEST_CASE("a wall between two solids becomes a sheet, and the skin around both looks outwards") {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     CAPTURE(seed);
