@@ -34,7 +34,7 @@ bool contains(const Triangle& t, const Vec3& point) {
 }
 
 /// Returns the side of the projected edge from a to b on which the shifted point is. The shift is
-/// infinitely small along y, and infinitely smaller along z. Returns 0 only if the projections of
+/// infinitely small along -z, and infinitely smaller along -y. Returns 0 only if the projections of
 /// both ends are equal. (Edelsbrunner & Muecke, "Simulation of simplicity", 1990.)
 int shifted_side(const Vec3& a, const Vec3& b, const Vec3& point) {
   if (const int side = orient2d(a, b, point, ray_view); side != 0) return side;
