@@ -197,10 +197,14 @@ setup() {
     run --separate-stderr "$@"
     assert_status 2
     one_line "$stderr"
-    [[ $stderr == *"is an input, which would be lost: name another output file"* ]] || fail "$stderr"
+    [[ $stderr == *"is an input, which would be lost: name another output"* ]] || fail "$stderr"
     [ "$(cat t.ply other.ply | cksum)" = "$sum" ]
     [ ! -e x.ply ]
   }
+  mkdir frames
+  ln t.ply frames/frame-00001.ply
+  refused tm-evolve frames/frame-00001.ply --flow rotation --time 1 --frames frames -o x.ply
+  cmp t.ply frames/frame-00001.ply
   refused tm-convert t.ply --report t.ply
   refused tm-convert link.ply --report ./t.ply
   refused tm-convert t.ply --report link.ply -o x.ply

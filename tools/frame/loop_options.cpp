@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <exception>
+#include <filesystem>
+#include <system_error>
 
 #include "evolution/loop/record.h"
 #include "io/streams/output_target.h"
@@ -97,6 +99,18 @@ void declare_record(Program& program, LoopChoices& choices, const std::string& e
   program.settle = [&program, &choices] { settle_run(program, choices); };
 }
 
+namespace {
+
+/// Throws UsageError if a frame in the folder is an input, because the run could replace it.
+void check_frames(const std::string& folder, const Outputs& out) {
+  std::error_code is_missing;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, is_missing))
+    if (entry.path().filename().string().starts_with("frame-"))
+      out.check_is_no_input(entry.path().string());
+}
+
+}  // namespace
+
 Record open_record(const LoopChoices& choices, long every, Run& run, std::string state) {
   RecordOptions options = choices.record;
   // A run can be continued only if its state can be stored in a file. The place of this file is
@@ -111,6 +125,7 @@ Record open_record(const LoopChoices& choices, long every, Run& run, std::string
   // If --run is given, all outputs are in its folder. The folder is created later, together with
   // the state, so only check here that it can be used.
   choices.run.empty() ? run.out().check_files(!state.empty()) : check_run_folder(choices.run);
+  check_frames(options.frames, run.out());
   const std::string& name = run.program().name;
   report_interruption(name, is_continuable ? "; --resume continues" : "");
   if (state.empty() && is_continuable) state = name_beside(run.out().name(), "", '.' + name);

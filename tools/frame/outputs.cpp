@@ -77,7 +77,7 @@ void Outputs::check_files(bool is_main_folder) const {
 
 void Outputs::check_is_no_input(const std::string& path) const {
   if (inputs_.contains(path))
-    throw UsageError("'" + path + "' is an input, which would be lost: name another output file");
+    throw UsageError("'" + path + "' is an input, which would be lost: name another output");
 }
 
 // --- The mesh ------------------------------------------------------------------------------------

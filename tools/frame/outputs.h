@@ -45,6 +45,8 @@ class Outputs {
   /// input. Only a main output of the same kind may replace the input. Throws OutputError if a file
   /// cannot be written. The main output is not checked if it is a folder.
   void check_files(bool is_main_folder = false) const;
+  /// Throws UsageError if the path leads to an input.
+  void check_is_no_input(const std::string& path) const;
   /// Sets a document's format and type of coordinates to those of -o.
   void set_style(Document& document);
   /// Adds the reference edge and the provenance (program and options) to the comments of a mesh. A
@@ -72,7 +74,6 @@ class Outputs {
  private:
   void set_style_of(Document& document, const std::string& path);
   void add_comments(Document& document);
-  void check_is_no_input(const std::string& path) const;
   /// Prints a note about pairs of faces that intersect only after rounding to floats, at most once
   /// in a run.
   void note_rounding_intersections(std::size_t pairs);

@@ -179,7 +179,7 @@ TEST_CASE("outputs of one place and outputs that cannot be written are refused e
   CHECK(place.evolve({"t.ply", "-o", "out.ply", "--csv", "-"}, body) == 2);
   CHECK(place.evolve({"t.ply", "-o", "out.ply", "--csv", "./t.ply"}, body) == 2);
   CHECK(place.errors() ==
-        "tm-x: './t.ply' is an input, which would be lost: name another output file\n");
+        "tm-x: './t.ply' is an input, which would be lost: name another output\n");
   CHECK(place.evolve({"t.ply", "-o", "none/out.ply"}, body) == 5);
   CHECK(place.errors() == "tm-x: cannot write 'none/out.ply': No such file or directory\n");
   CHECK_FALSE(place.has("late"));
