@@ -40,8 +40,8 @@ struct Comparison {
 Comparison compare(const Mesh& mesh, const Mesh& reference, const CompareOptions& options = {},
                    const Progress& progress = {});
 
-/// Return the distances of all vertices from the faces of the reference, or from its vertices if it
-/// has none. Signed distances, negative inside, need faces that are not inside out. Throw as above.
+/// Return the distances of vertices from the faces of the reference, or if it has none, from its
+/// vertices. Signs (negative inside) need joined faces (stitch.h), not inside out. Throw as above.
 std::vector<double> vertex_distances(const Mesh& mesh, const Mesh& reference,
                                      const Progress& progress = {});
 std::vector<double> signed_vertex_distances(const Mesh& mesh, const Mesh& reference,

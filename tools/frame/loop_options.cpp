@@ -105,7 +105,7 @@ namespace {
 void check_frames(const std::string& folder, const Outputs& out) {
   std::error_code is_missing;
   for (const auto& entry : std::filesystem::directory_iterator(folder, is_missing))
-    if (entry.path().filename().string().starts_with("frame-"))
+    if (entry.path().filename().string().starts_with(frame_prefix))
       out.check_is_no_input(entry.path().string());
 }
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "frame/filter_process.h"
+#include "support/lower_case.h"
 #include "support/number.h"
 #include "transformesh/errors.h"
 
@@ -68,10 +69,7 @@ void check_speed(double per_second, const std::string& path) {
 }  // namespace
 
 std::string ending_of(const std::string& path) {
-  std::string ending = fs::path(path).extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return ending;
+  return lower_case(fs::path(path).extension().string());
 }
 
 void check_movie(int frames, int width, int height, bool is_transparent, const Run& run) {

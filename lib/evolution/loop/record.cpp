@@ -88,8 +88,8 @@ std::string rows_until(const std::string& path, const std::string& header, std::
 
 std::string frame_name(std::size_t iteration) {
   const std::string digits = std::to_string(iteration);
-  return "/frame-" + std::string(5 - std::min<std::size_t>(digits.size(), 5), '0') + digits +
-         ".ply";
+  const std::string zeros(5 - std::min<std::size_t>(digits.size(), 5), '0');
+  return '/' + std::string(frame_prefix) + zeros + digits + ".ply";
 }
 
 }  // namespace

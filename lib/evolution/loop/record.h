@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,9 @@
 #include "transformesh/loop.h"
 
 namespace transformesh {
+
+/// Beginning of the names of frames, before the number of the iteration.
+inline constexpr std::string_view frame_prefix = "frame-";
 
 struct SavedState {
   Document document;

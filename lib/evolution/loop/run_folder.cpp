@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "evolution/loop/record.h"
 #include "io/streams/atomic_file.h"
 #include "support/number.h"
 #include "transformesh/errors.h"
@@ -19,7 +20,6 @@ using Json = nlohmann::ordered_json;
 
 /// Version of the folder's layout; folders with a later version are refused.
 constexpr int layout = 1;
-constexpr std::string_view frame_prefix = "frame-";
 constexpr const char* mesh_ending = ".ply";
 
 /// Returns the files of a folder that are named by a prefix, a number and an ending. Sorts them by

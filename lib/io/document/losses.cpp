@@ -5,14 +5,14 @@
 
 #include "io/streams/source.h"
 #include "support/counted.h"
+#include "support/lower_case.h"
 
 namespace transformesh {
 namespace {
 
 class Losses {
  public:
-  explicit Losses(const std::string& format) : format_(format) {
-    for (char& c : format_) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  explicit Losses(const std::string& format) : format_(lower_case(format)) {
     ending_ = " cannot be stored in " + format + ", dropped";
   }
 

@@ -18,6 +18,7 @@
 #include "io/formats/vtp.h"
 #include "io/streams/expand.h"
 #include "io/streams/zip_archive.h"
+#include "support/lower_case.h"
 #include "transformesh/errors.h"
 
 namespace transformesh {
@@ -25,14 +26,6 @@ namespace {
 
 /// Size of the header in bytes: 80 bytes of text and the number of facets.
 constexpr std::size_t stl_header_size = 84;
-
-std::string lower_case(std::string_view text) {
-  std::string result(text);
-  for (char& c : result) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return result;
-}
 
 bool has_extension(const Source& source, std::string_view extension) {
   const std::string name = lower_case(without_gz(source.name));

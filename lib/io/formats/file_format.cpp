@@ -5,17 +5,14 @@
 
 #include "io/document/unit.h"
 #include "mesh/coordinate_spacing.h"
+#include "support/lower_case.h"
 
 namespace transformesh {
 namespace {
 
 // Returns the extension in lower case, with the dot; empty if there is none.
 std::string extension_of(std::string_view name) {
-  std::string extension(name.substr(std::min(name.rfind('.'), name.size())));
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return extension;
+  return lower_case(name.substr(std::min(name.rfind('.'), name.size())));
 }
 
 }  // namespace

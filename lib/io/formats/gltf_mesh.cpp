@@ -9,6 +9,7 @@
 #include "io/formats/gltf_accessor.h"
 #include "mesh/index_limits.h"
 #include "support/counted.h"
+#include "support/lower_case.h"
 
 namespace transformesh {
 namespace {
@@ -18,12 +19,6 @@ constexpr std::size_t as_points = 0;
 constexpr std::size_t as_triangles = 4;
 constexpr std::size_t as_strip = 5;
 constexpr std::size_t as_fan = 6;
-
-std::string lower_case_key(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
 
 const GltfJson& member(const GltfJson& object, const char* key) {
   static const GltfJson nothing = GltfJson::object();
@@ -120,7 +115,7 @@ class MeshReader {
       // Convert v, which runs downwards in glTF.
       for (double& value : columns.find("t")->values) value = 1 - value;
     } else if (key.starts_with('_') && key.size() > 1 && found.width == 1) {
-      const std::string name = column_name(lower_case_key(key.substr(1)));
+      const std::string name = column_name(lower_case(key.substr(1)));
       add_group({name.c_str()}, found, columns);
     } else {
       ++losses_.unread_attributes;

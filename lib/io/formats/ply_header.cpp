@@ -4,6 +4,7 @@
 #include "io/document/scalar.h"
 #include "io/formats/ply.h"
 #include "io/streams/number_text.h"
+#include "support/lower_case.h"
 
 namespace transformesh {
 namespace {
@@ -142,9 +143,7 @@ class HeaderReader {
   }
 
   Scalar read_type(std::string_view name) {
-    std::string lower(name);
-    for (char& c : lower)
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const std::string lower = lower_case(name);
     const auto type = scalar_of_name(lower);
     if (!type || (source_.is_strict && lower != name)) {
       fail("unknown type " + in_quotes(name) +

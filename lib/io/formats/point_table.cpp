@@ -9,6 +9,7 @@
 #include "io/formats/text_rows.h"
 #include "mesh/index_limits.h"
 #include "support/counted.h"
+#include "support/lower_case.h"
 
 namespace transformesh {
 namespace {
@@ -25,9 +26,8 @@ std::string with_blanks(std::string_view text) {
 
 /// Returns the name of the column for a name in the header line, such as `red` for `R`.
 std::string column_of(std::string_view word) {
-  std::string name;
-  for (const char c : word)
-    if (c != '"' && c != '/') name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  std::string name = lower_case(word);
+  std::erase_if(name, [](char c) { return c == '"' || c == '/'; });
   constexpr std::array<std::array<std::string_view, 2>, 7> other_names{{{"r", "red"},
                                                                         {"g", "green"},
                                                                         {"b", "blue"},

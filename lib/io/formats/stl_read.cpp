@@ -7,6 +7,7 @@
 #include "io/formats/stl.h"
 #include "io/formats/text_rows.h"
 #include "support/counted.h"
+#include "support/lower_case.h"
 #include "transformesh/mesh_io.h"
 
 namespace transformesh {
@@ -34,18 +35,10 @@ void note_bad_facets(std::size_t count, std::vector<std::string>& notes) {
                   " with a coordinate that is not finite dropped");
 }
 
-std::string in_lower_case(std::string_view word) {
-  std::string result(word);
-  std::transform(result.begin(), result.end(), result.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  return result;
-}
-
 /// True if a facet with its normal begins at the next word of the line.
 bool is_at_facet(TextRows rows) {
-  return in_lower_case(rows.peek()) == "facet" && !rows.word().empty() &&
-         in_lower_case(rows.word()) == "normal" && is_number(rows.peek());
+  return lower_case(rows.peek()) == "facet" && !rows.word().empty() &&
+         lower_case(rows.word()) == "normal" && is_number(rows.peek());
 }
 
 class TextReader {
@@ -86,7 +79,7 @@ class TextReader {
   /// Reads the next word, in lower case.
   bool next_word(bool is_needed) {
     if (!find_word(is_needed)) return false;
-    word_ = in_lower_case(rows_.word());
+    word_ = lower_case(rows_.word());
     return true;
   }
 

@@ -7,6 +7,7 @@
 #include "io/document/scalar_bytes.h"
 #include "io/streams/number_text.h"
 #include "support/counted.h"
+#include "support/lower_case.h"
 
 namespace transformesh {
 namespace {
@@ -42,12 +43,7 @@ std::string_view VtkStream::raw_word() {
   return {first, static_cast<std::size_t>(place_ - first)};
 }
 
-std::string VtkStream::word() {
-  std::string result(raw_word());
-  for (char& c : result)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return result;
-}
+std::string VtkStream::word() { return lower_case(raw_word()); }
 
 bool VtkStream::has_word_in_line() const {
   const char* next = place_;
