@@ -8,7 +8,8 @@
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 void check_refused(const char* text, const char* message) {
@@ -78,5 +79,3 @@ TEST_CASE("an error names its line") {
       run_boolean_script(parse_boolean_script("\na = union x"), read, {}, Progress()),
       "line 2 of the script: x has 1 border: it is not a solid", InputError);
 }
-
-}  // namespace transformesh

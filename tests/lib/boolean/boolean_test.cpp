@@ -13,7 +13,8 @@
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using Operation = BooleanOperation;
@@ -224,5 +225,3 @@ TEST_CASE("a sheet is cut by the surface of a solid") {
   CHECK(area(SheetSide::inside) == 0);
   CHECK(area(SheetSide::outside) == doctest::Approx(16));
 }
-
-}  // namespace transformesh

@@ -12,7 +12,8 @@
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Mesh capped(const Mesh& sheet, const Mesh& solid, SheetSide side) {
@@ -112,5 +113,3 @@ TEST_CASE("closed sheets give the intersection and the difference, by solid angl
   }
   CHECK(sampled > 50);
 }
-
-}  // namespace transformesh

@@ -5,7 +5,7 @@
 #include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("an edited solid finds its faces, and no removed ones") {
   const Mesh cube = test::cube();
@@ -22,5 +22,3 @@ TEST_CASE("an edited solid finds its faces, and no removed ones") {
   CHECK(solid.winding_at(Vec3(0.3, 5.4, 0.6)) == 1);
   CHECK(test::signed_volume(solid.take()) == doctest::Approx(2));
 }
-
-}  // namespace transformesh

@@ -7,7 +7,8 @@
 #include "helpers/shapes.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Mesh whole(BooleanOperation operation, const Mesh& solid, const Mesh& operand) {
@@ -91,5 +92,3 @@ TEST_CASE("a local operation that the part does not decide changes nothing") {
   CHECK(solid.mesh().faces == ball.faces);
   CHECK(is_done(tool));
 }
-
-}  // namespace transformesh

@@ -7,7 +7,8 @@
 
 #include "helpers/arrangement_facts.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Mesh box(double low, double high) {
@@ -69,5 +70,3 @@ TEST_CASE("a body in the box of a cell, but not in the cell, is outside") {
   CHECK(joined.front(1) == joined.outermost);
   CHECK(joined.back(1) != joined.outermost);
 }
-
-}  // namespace transformesh

@@ -5,7 +5,8 @@
 #include "clean/intersect/contacts.h"
 #include "helpers/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using Kind = OperandKind;
@@ -57,5 +58,3 @@ TEST_CASE("an operand that intersects itself is unknown") {
   torn.positions[0] = -1.5 * torn.positions[0];
   CHECK(kind_of(torn) == Kind::unknown);
 }
-
-}  // namespace transformesh

@@ -5,7 +5,8 @@
 #include "clean/intersect/find_meetings.h"
 #include "helpers/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Returns twice the area of the chosen pieces by direction: -x, +x, -y, +y, -z, +z.
@@ -58,5 +59,3 @@ TEST_CASE("coincident faces of two operands count for each operand") {
   const auto areas = chosen_areas(subtract, {cube, test::joined(beside, beside)});
   CHECK(areas == all(2));
 }
-
-}  // namespace transformesh

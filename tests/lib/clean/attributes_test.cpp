@@ -13,7 +13,8 @@
 #include "mesh/triangle.h"
 #include "transformesh/clean.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -237,5 +238,3 @@ TEST_CASE("--refuse names the defect of a soup without intersections") {
                     "vertices to duplicate, but vertices to merge)");
   CHECK(clean(ball, options).mesh.positions == ball.positions);
 }
-
-}  // namespace transformesh

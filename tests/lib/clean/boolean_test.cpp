@@ -18,7 +18,8 @@
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Rotates the mesh at random, then shifts it by up to `shift` along each axis.
@@ -248,5 +249,3 @@ TEST_CASE("boxes with integer corners have exactly the volume of their voxels") 
     CHECK(test::compare_windings(mesh, united).is_right());
   }
 }
-
-}  // namespace transformesh

@@ -12,7 +12,8 @@
 #include "transformesh/measure.h"
 
 // The topology changes of the paper's Fig. 7, and handles: components, genus and volume of each.
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -219,5 +220,3 @@ TEST_CASE("handle removal: a ring whose top is pushed through its bottom somewhe
 TEST_CASE("an everted ball has nothing inside") {
   CHECK_THROWS_AS(clean(test::reversed(test::icosphere(2))), GoalError);
 }
-
-}  // namespace transformesh

@@ -16,7 +16,8 @@
 #include "transformesh/manifold.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -158,5 +159,3 @@ TEST_CASE("an offset does not depend on threads") {
   CHECK(first.positions == second.positions);
   CHECK(first.faces == second.faces);
 }
-
-}  // namespace transformesh

@@ -10,7 +10,7 @@
 #include "mesh/triangle.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 namespace {
 
@@ -51,5 +51,3 @@ TEST_CASE("every face that touches the box of a triangle is found, however faces
     }
   }
 }
-
-}  // namespace transformesh

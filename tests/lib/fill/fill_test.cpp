@@ -13,7 +13,8 @@
 #include "transformesh/manifold.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Returns the mesh without the faces whose corners all lie above a height.
@@ -145,5 +146,3 @@ TEST_CASE("meshes that are no oriented manifolds, and invalid limits, are refuse
   CHECK_THROWS_AS(fill_holes(mesh, {.max_diameter = 0}), UsageError);
   CHECK(fill_holes(mesh).holes == 0);
 }
-
-}  // namespace transformesh

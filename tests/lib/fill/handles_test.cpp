@@ -17,7 +17,8 @@
 #include "transformesh/measure.h"
 #include "transformesh/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Mesh shape(const std::string& kind, std::vector<std::string> parameters, std::size_t faces) {
@@ -182,5 +183,3 @@ TEST_CASE("open or non-manifold meshes, and invalid lengths, are refused") {
   Mesh empty;
   CHECK(remove_handles(empty, {.max_length = 1}).removed == 0);
 }
-
-}  // namespace transformesh

@@ -11,7 +11,8 @@
 #include <numbers>
 #include <random>
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
@@ -100,5 +101,3 @@ TEST_CASE("no triangulation has edges that the mesh has, or triangles without ar
   CHECK(sparse_triangulation(line).empty());
   CHECK(greedy_triangulation(line).empty());
 }
-
-}  // namespace transformesh

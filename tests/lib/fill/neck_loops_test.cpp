@@ -11,7 +11,9 @@
 #include "helpers/shapes.h"
 #include "mesh/adjacency.h"
 
-namespace transformesh::test {
+using namespace transformesh;
+using namespace transformesh::test;
+
 namespace {
 
 /// A closed surface around the z axis with the radius `radius(z)` at heights from 0 to `height`.
@@ -127,5 +129,3 @@ TEST_CASE("cutting a neck makes fingers on both sides") {
   test.note_cut(cut);
   CHECK(necks() == 0);
 }
-
-}  // namespace transformesh::test

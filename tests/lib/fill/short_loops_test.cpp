@@ -13,7 +13,8 @@
 #include "mesh/disjoint_sets.h"
 #include "transformesh/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 constexpr double any_length = 1e9;
@@ -146,5 +147,3 @@ TEST_CASE("words that are sums of others are not new") {
   CHECK(words.is_new(1));
   CHECK(words.is_new(8));
 }
-
-}  // namespace transformesh

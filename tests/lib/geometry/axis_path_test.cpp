@@ -11,7 +11,8 @@
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 std::optional<int> change(const Mesh& mesh, const Vec3& from, const Vec3& to) {
@@ -75,5 +76,3 @@ TEST_CASE("points of a box are inside of it, and all different along each axis")
   }
   for (const auto& values : coordinates) CHECK(values.size() == 100);
 }
-
-}  // namespace transformesh

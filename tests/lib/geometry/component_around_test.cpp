@@ -9,7 +9,8 @@
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Nested balls of radius 1 to 3, the middle one inside out, and a box beside them.
@@ -76,5 +77,3 @@ TEST_CASE("meshes of any size have a component around a point, and empty ones ha
   }
   CHECK_THROWS_AS(component_around(Mesh(), {0, 0, 0}), InputError);
 }
-
-}  // namespace transformesh

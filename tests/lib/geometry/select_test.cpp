@@ -6,7 +6,7 @@
 #include "helpers/shapes.h"
 #include "transformesh/errors.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("faces that meet all conditions stay, or all others") {
   // A ball of radius 1 about the origin, one about (5, 0, 0), and a box.
@@ -45,5 +45,3 @@ TEST_CASE("faces that meet all conditions stay, or all others") {
   options.mask = std::vector<bool>{true, false};
   CHECK_THROWS_AS(select(mesh, options), InputError);
 }
-
-}  // namespace transformesh

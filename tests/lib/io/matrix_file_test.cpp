@@ -5,7 +5,7 @@
 
 #include "transformesh/errors.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("a matrix is sixteen numbers, whatever is between them") {
   Eigen::Matrix4d expected;
@@ -30,5 +30,3 @@ TEST_CASE("other text is an error that names the line") {
   CHECK(message_of("1 2 3 4\n5 6 7 8\n9 10 11 12\n0 0 0 1 7\n").find("line 4") !=
         std::string::npos);
 }
-
-}  // namespace transformesh

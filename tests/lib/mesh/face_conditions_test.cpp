@@ -9,7 +9,7 @@
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("components are chosen by faces, area or volume") {
   const Mesh mesh = test::joined(test::icosphere(1), test::cuboid({5, 0, 0}, {8, 3, 3}));
@@ -106,5 +106,3 @@ TEST_CASE("numbers of conditions are rounded to the type of the property") {
   CHECK(faces_where(mesh, "d=0.1") == Mask{false, false, true, false});
   CHECK(faces_where(mesh, "i<0.5") == Mask{true, false, false, false});
 }
-
-}  // namespace transformesh

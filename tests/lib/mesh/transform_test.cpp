@@ -9,7 +9,8 @@
 #include "helpers/shapes.h"
 #include "transformesh/errors.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Mesh with_vectors(Mesh mesh, const std::array<const char*, 3>& names,
@@ -116,5 +117,3 @@ TEST_CASE("singular, projective and infinite matrices are refused") {
   transform(mesh, scaling_by({1e-200, 1e-200, 1e-250}));
   CHECK((mesh.positions[7].head<2>() - before[7].head<2>()).norm() < 1e-15);
 }
-
-}  // namespace transformesh

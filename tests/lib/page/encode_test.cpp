@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("zlib inflates what was deflated") {
   std::string bytes;
@@ -23,5 +23,3 @@ TEST_CASE("zlib inflates what was deflated") {
 TEST_CASE("nothing of HTML is left in an escaped text") {
   CHECK(html_escaped("a<b>&\"'c") == "a&lt;b&gt;&amp;&quot;&#39;c");
 }
-
-}  // namespace transformesh

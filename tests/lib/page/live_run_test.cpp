@@ -15,7 +15,8 @@
 #include "views/cameras/camera_ring.h"
 #include "views/cameras/view.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using test::make_file;
@@ -133,5 +134,3 @@ TEST_CASE("a folder that is no run is refused") {
   const TemporaryFolder above;
   CHECK_THROWS_AS(LiveRun(above / "none"), InputError);
 }
-
-}  // namespace transformesh

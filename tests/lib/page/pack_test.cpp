@@ -8,7 +8,8 @@
 #include "helpers/shapes.h"
 #include "helpers/unpacked.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using test::unpacked;
@@ -135,5 +136,3 @@ TEST_CASE("points, flat meshes and nothing at all") {
     for (Index& corner : face) ++corner;
   check_same_place(unused, unpacked(pack(unused).block).mesh, pack(unused));
 }
-
-}  // namespace transformesh

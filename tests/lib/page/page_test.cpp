@@ -9,7 +9,8 @@
 #include "support/base64.h"
 #include "transformesh/errors.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using Json = nlohmann::json;
@@ -102,5 +103,3 @@ TEST_CASE("colors of the page are those of pictures: viridis, and blue over whit
   CHECK(colors["one_sign"].back() == Json{253, 231, 37});
   CHECK(colors["two_signs"][32] == Json{247, 247, 247});
 }
-
-}  // namespace transformesh

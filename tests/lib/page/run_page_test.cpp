@@ -9,7 +9,8 @@
 #include "transformesh/errors.h"
 #include "transformesh/mesh_io.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using test::make_file;
@@ -95,5 +96,3 @@ TEST_CASE("a folder that is no run, and a run without a mesh, are refused") {
   make_file(folder + "/frames/frame-00001.ply", "ply\nbroken");
   CHECK_THROWS_AS(read_run_page(folder), InputError);
 }
-
-}  // namespace transformesh

@@ -5,7 +5,8 @@
 
 #include "helpers/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Counts the pixels of a panel in which one channel is far above both others.
@@ -44,5 +45,3 @@ TEST_CASE("lost faces are red to the left, new ones green to the right, from bot
     CHECK(count_colored(image, 1, 200, above) > 300);
   }
 }
-
-}  // namespace transformesh

@@ -12,7 +12,9 @@
 #include "transformesh/measure.h"
 #include "transformesh/remesh.h"
 
-namespace transformesh::test {
+using namespace transformesh;
+using namespace transformesh::test;
+
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -170,5 +172,3 @@ TEST_CASE("components wider than min_film are no remains") {
   mesh = joined(icosphere(2), moved(drop, Vec3(3, 0, 0)));
   CHECK(remesh(mesh, options).components_removed.count == 0);
 }
-
-}  // namespace transformesh::test

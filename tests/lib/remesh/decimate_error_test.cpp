@@ -15,7 +15,8 @@
 #include "transformesh/intersect.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 constexpr int sample_steps = 8;
@@ -203,5 +204,3 @@ TEST_CASE("positions rounded to floats keep the error") {
   CHECK(mesh.faces.size() < rounded.faces.size() / 2);
   CHECK(hausdorff(rounded, mesh) <= 0.01);
 }
-
-}  // namespace transformesh

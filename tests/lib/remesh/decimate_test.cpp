@@ -10,7 +10,8 @@
 #include "transformesh/errors.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// A cube cut by planes across y that lie one rounding error apart, so that most faces are slivers
@@ -68,5 +69,3 @@ TEST_CASE("a number of faces that cannot be reached is reported") {
   const std::size_t faces = mesh.faces.size();
   CHECK(decimate(mesh, {faces}).collapses == 0);
 }
-
-}  // namespace transformesh

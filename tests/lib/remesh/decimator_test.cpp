@@ -15,7 +15,8 @@
 #include "transformesh/intersect.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Mesh decimated(Mesh mesh, std::size_t faces, DecimateOptions options = {}) {
@@ -184,5 +185,3 @@ TEST_CASE("vertex properties are blended along") {
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     CHECK(std::abs(column->values[v] - mesh.positions[v].z()) < 0.1);
 }
-
-}  // namespace transformesh

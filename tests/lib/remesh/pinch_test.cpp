@@ -14,7 +14,9 @@
 #include "transformesh/remesh.h"
 #include "transformesh/shapes.h"
 
-namespace transformesh::test {
+using namespace transformesh;
+using namespace transformesh::test;
+
 namespace {
 
 Mesh dumbbell(double neck) {
@@ -83,5 +85,3 @@ TEST_CASE("open meshes and impossible lengths are refused, and the mesh stays") 
   CHECK_THROWS_AS(remesh(mesh, smoothing), UsageError);
   CHECK(is_same(mesh, sheet));
 }
-
-}  // namespace transformesh::test

@@ -16,7 +16,9 @@
 #include "transformesh/measure.h"
 #include "transformesh/remesh.h"
 
-namespace transformesh::test {
+using namespace transformesh;
+using namespace transformesh::test;
+
 namespace {
 
 Mesh centered_box(const Vec3& size) { return cuboid(-0.5 * size, 0.5 * size); }
@@ -62,7 +64,7 @@ TEST_CASE("boxes that share planes are remeshed without self-intersections at an
 }
 
 TEST_CASE("random boxes that touch in planes are remeshed without self-intersections") {
-  Random random(31);
+  test::Random random(31);
   int checked = 0;
   for (int i = 0; i < 12; ++i) {
     CAPTURE(i);
@@ -93,5 +95,3 @@ TEST_CASE("a triangle thinner than rounding is split without faces that have no 
   CHECK(is_oriented_manifold(mesh));
   CHECK(count_self_intersections(mesh) == 0);
 }
-
-}  // namespace transformesh::test

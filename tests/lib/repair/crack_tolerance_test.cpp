@@ -8,7 +8,8 @@
 #include "transformesh/manifold.h"
 #include "transformesh/stitch.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Mesh jittered(const Mesh& solid, double width) {
@@ -98,5 +99,3 @@ TEST_CASE("a vertex on an edge is a crack of width 0, and the tolerance splits t
   CHECK(check_manifold(mesh).boundary_loops == 1);
   CHECK(check_manifold(mesh).border_halfedges.size() == 4);
 }
-
-}  // namespace transformesh

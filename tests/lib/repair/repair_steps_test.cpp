@@ -11,7 +11,8 @@
 #include "transformesh/errors.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 const Progress silent;
@@ -101,5 +102,3 @@ TEST_CASE("a surface with one side is refused if it is to be oriented, and stays
   CHECK_THROWS_AS(steps.stitch({.orient = true}), InputError);
   CHECK(steps.mesh().faces == strip.faces);
 }
-
-}  // namespace transformesh

@@ -14,7 +14,8 @@
 #include "transformesh/manifold.h"
 #include "transformesh/select.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Mesh bowl() {
@@ -170,5 +171,3 @@ TEST_CASE("walls between cubes that touch are no second side of a surface") {
   open.faces.pop_back();
   CHECK(volume(repair(open).mesh) == doctest::Approx(cells));
 }
-
-}  // namespace transformesh

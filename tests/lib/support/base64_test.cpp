@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("base64 as RFC 4648 has it") {
   CHECK(base64("").empty());
@@ -20,5 +20,3 @@ TEST_CASE("base64 back to bytes, with blanks and padding inside") {
   CHECK(bytes_of_base64("//4A+w==") == std::string("\xff\xfe\x00\xfb", 4));
   CHECK_FALSE(bytes_of_base64("Zm9v-").has_value());
 }
-
-}  // namespace transformesh

@@ -7,7 +7,8 @@
 
 #include "support/error_prefix.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 template <typename Kind>
@@ -76,5 +77,3 @@ TEST_CASE("kinds have different names") {
   CHECK(std::string(name_of(ErrorKind::other)) == "other");
   CHECK(std::string(name_of(ErrorKind::not_a_run)) == "not_a_run");
 }
-
-}  // namespace transformesh

@@ -7,7 +7,9 @@
 
 #include "frame/program.h"
 
-namespace transformesh::tool {
+using namespace transformesh;
+using namespace transformesh::tool;
+
 namespace {
 
 Program program_with(const std::vector<std::string>& flags) {
@@ -65,5 +67,3 @@ TEST_CASE("the remedy follows the sentence, and contains data of the problem") {
   CHECK(advice(ErrorKind::edges_too_long, {"reference-edge"}, {.lengths = {0.01, 0.3}}) ==
         "shorten edges with --reference-edge 0.1");
 }
-
-}  // namespace transformesh::tool

@@ -16,7 +16,9 @@
 #include <thread>
 #include <vector>
 
-namespace transformesh::tool {
+using namespace transformesh;
+using namespace transformesh::tool;
+
 namespace {
 
 /// A server in its own process, whose CPU time can be measured.
@@ -115,5 +117,3 @@ TEST_CASE("connections that wait for file descriptors take no processor time") {
   const ServerProcess server(4);
   check_idle(server, 8);
 }
-
-}  // namespace transformesh::tool

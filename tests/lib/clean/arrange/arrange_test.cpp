@@ -15,7 +15,8 @@
 #include "support/parallel.h"
 #include "transformesh/control.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using test::RationalPoint;
@@ -205,5 +206,3 @@ TEST_CASE("the arrangement is the same for any number of threads") {
   const ThreadLimit limit(1);
   CHECK(corners() == expected);
 }
-
-}  // namespace transformesh

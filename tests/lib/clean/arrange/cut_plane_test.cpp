@@ -12,7 +12,8 @@
 #include "mesh/triangle.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// A triangle around the origin in the plane z = 0, and vertical blades through it along tangents
@@ -112,5 +113,3 @@ TEST_CASE("coplanar faces share pieces where they overlap, with the orientation 
   CHECK(twice == doctest::Approx(0.25).epsilon(1e-14));
   CHECK(once == doctest::Approx(1.5).epsilon(1e-14));
 }
-
-}  // namespace transformesh

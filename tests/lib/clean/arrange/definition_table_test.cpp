@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("definitions are found again, however many there are, and others are not") {
   for (const Index count : {Index{0}, Index{1}, Index{23}, Index{24}, Index{25}, Index{5000}}) {
@@ -26,5 +26,3 @@ TEST_CASE("the order of edges and faces does not matter to a definition") {
   CHECK(PointDefinition::line_plane(5, 2, 9) == PointDefinition::line_plane(2, 5, 9));
   CHECK(!PointDefinition().is_known());
 }
-
-}  // namespace transformesh

@@ -9,7 +9,8 @@
 #include "helpers/random.h"
 #include "helpers/rational.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 constexpr Index scaffold_points = PlanarTriangulation::scaffold_points;
@@ -199,5 +200,3 @@ TEST_CASE("without constraints improving makes it Delaunay") {
   }
   CHECK(tested == 121 * 60);
 }
-
-}  // namespace transformesh

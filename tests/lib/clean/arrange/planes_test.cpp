@@ -7,7 +7,7 @@
 #include "helpers/shapes.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("coplanar faces that meet share a plane, others do not, and whole faces have none") {
   // Two cubes; the second stands on the first, shifted by 0.5 along x.
@@ -47,5 +47,3 @@ TEST_CASE("of copies only the first is cut, and the others lie in its plane") {
     CHECK(planes.plane_of(static_cast<Index>(f + ball.faces.size())) == f);
   }
 }
-
-}  // namespace transformesh

@@ -9,7 +9,7 @@
 #include "mesh/triangle.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("refining splits what crosses and keeps volume, area and columns") {
   for (const char* kind : {"two-spheres", "folded", "tangle", "pinch"}) {
@@ -66,5 +66,3 @@ TEST_CASE("the row of a point on a face has its barycentric weights, which sum t
     }
   }
 }
-
-}  // namespace transformesh

@@ -10,7 +10,7 @@
 #include "helpers/shapes.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("equal points of all planes have one number, and different ones have two") {
   // Cubes whose edges intersect in points of a lattice. Several pairs of edges and faces define
@@ -43,5 +43,3 @@ TEST_CASE("equal points of all planes have one number, and different ones have t
   REQUIRE(!unified.cut_points.empty());
   CHECK(*ids.rbegin() == welded.points.size() + unified.cut_points.size() - 1);
 }
-
-}  // namespace transformesh

@@ -6,7 +6,8 @@
 #include "clean/intersect/find_meetings.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// A floor that faces up, and a wall through it along the y axis that faces larger x. The wall
@@ -76,5 +77,3 @@ TEST_CASE("at an edge of a face in the plane those faces count that rise from it
   // The fin traverses the edge forward, so its front is on the right.
   CHECK(over[0].jump == -1);
 }
-
-}  // namespace transformesh

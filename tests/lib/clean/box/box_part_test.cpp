@@ -10,7 +10,8 @@
 #include "helpers/shapes.h"
 #include "transformesh/errors.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 TEST_CASE("a part that is the whole mesh has all faces, and a reference point outside") {
   const Mesh mesh = test::moved(test::workload("folded", 2000, 1), {3, 4, 5});
   const Region region = whole_region(mesh);
@@ -30,5 +31,3 @@ TEST_CASE("a region that is too small for its faces is refused") {
   region.is_whole = false;
   CHECK(BoxPart(mesh, region, own, {}, Progress()).clean(counts));
 }
-
-}  // namespace transformesh

@@ -7,7 +7,7 @@
 
 #include "helpers/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("a box has its lower sides and not its upper ones") {
   const Mesh cube = test::cube();
@@ -75,5 +75,3 @@ TEST_CASE("a margin is 64 spacings of the coordinates as they are written") {
   CHECK(with_margin(box, Scalar::float64).max().x() == 3 + 0x1p-44);
   CHECK(with_margin(box, Scalar::float32).min().y() == -4 - 0x1p-15);
 }
-
-}  // namespace transformesh

@@ -19,7 +19,8 @@
 #include "transformesh/manifold.h"
 #include "transformesh/transform.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using Corners = std::array<std::array<double, 3>, 3>;
@@ -243,5 +244,3 @@ TEST_CASE("a tile that is the whole mesh has the pieces of its box") {
   CHECK_THROWS_AS(clean_tile(changed, tile, {}, Progress()), InputError);
   CHECK_THROWS_AS(clean_tile(input, tile, options, Progress()), UsageError);
 }
-
-}  // namespace transformesh

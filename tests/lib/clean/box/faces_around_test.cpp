@@ -6,7 +6,8 @@
 
 #include "helpers/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 bool share_position(const Mesh& mesh, Index f, Index g) {
@@ -61,5 +62,3 @@ TEST_CASE("rings found one by one equal those found at once") {
     CHECK(next == faces.faces());
   }
 }
-
-}  // namespace transformesh

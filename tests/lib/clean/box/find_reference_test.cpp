@@ -9,7 +9,7 @@
 #include "helpers/mesh_facts.h"
 #include "transformesh/errors.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("a reference point has the winding number of solid angles") {
   const Mesh mesh = test::random_balls(3, 6);
@@ -30,5 +30,3 @@ TEST_CASE("a box that is one point on an edge has no reference point") {
   const Vec3 corner(1, 1, .5);
   CHECK_THROWS_AS(find_reference(cube, {Vec3(-1, -1, -1), 0}, {corner, corner}), GoalError);
 }
-
-}  // namespace transformesh

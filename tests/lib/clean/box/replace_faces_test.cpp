@@ -4,7 +4,7 @@
 
 #include "helpers/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("pieces of a cut face are appended and share its columns") {
   const Mesh input = test::tetrahedron();
@@ -29,5 +29,3 @@ TEST_CASE("removed faces remove their vertices, and uncut faces stay in place") 
   CHECK(result.positions == cleaned.mesh.positions);
   CHECK(result.faces == cleaned.mesh.faces);
 }
-
-}  // namespace transformesh

@@ -6,7 +6,8 @@
 
 #include "transformesh/errors.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Tile example() {
@@ -58,5 +59,3 @@ TEST_CASE("a comment that is cut off, too long or no number is refused") {
   CHECK_THROWS_AS(cleaned_tile_of({"tm:cleaned-tile 16 16 1"}), InputError);
   CHECK_THROWS_AS(cleaned_tile_of({"tm:cleaned-tile 1 16"}), InputError);
 }
-
-}  // namespace transformesh

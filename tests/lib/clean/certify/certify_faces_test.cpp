@@ -12,7 +12,8 @@
 #include "helpers/shapes.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Mesh two_balls() {
@@ -99,5 +100,3 @@ TEST_CASE("spread samples are the first and others at equal steps") {
   CHECK(marked_faces({0, 1, 1, 0}, 1) == std::vector<Index>{1, 2});
   CHECK(marked_faces({0, 1, 1, 0}, 0) == std::vector<Index>{0, 3});
 }
-
-}  // namespace transformesh

@@ -7,7 +7,8 @@
 
 #include "helpers/random.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Returns the least distance of the point from sampled points of the triangle. The distance is the
@@ -57,5 +58,3 @@ TEST_CASE("margins reach along each axis by themselves, not around the corner") 
   CHECK(!is_within(margins, Vec3(6.1, 6.1, 0), t));  // beyond the longest edge
   CHECK(is_within(margins, Vec3(5.9, 5.9, 0), t));
 }
-
-}  // namespace transformesh

@@ -12,7 +12,8 @@
 #include "helpers/arrangement_facts.h"
 #include "helpers/random.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Faces around the edge from vertex 0 to vertex 1, each with its own third vertex. Forward faces
@@ -164,5 +165,3 @@ TEST_CASE("edges of an arrangement are those of the pieces that are included") {
   }
   CHECK(borders == 3);
 }
-
-}  // namespace transformesh

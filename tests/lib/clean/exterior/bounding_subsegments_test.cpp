@@ -8,7 +8,8 @@
 
 #include "helpers/random.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 constexpr double size = 10;
@@ -161,5 +162,3 @@ TEST_CASE("without a known or consistent winding number nothing is decided") {
   curves.in.segments[2].jump *= -1;
   CHECK_FALSE(curves.parts(1).has_value());
 }
-
-}  // namespace transformesh

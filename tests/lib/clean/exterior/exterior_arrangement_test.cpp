@@ -14,7 +14,8 @@
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// A triangle, beginning with its smallest corner, and how often it is covered.
@@ -167,5 +168,3 @@ TEST_CASE("exterior pieces do not depend on threads") {
   };
   CHECK(run(1) == run(4));
 }
-
-}  // namespace transformesh

@@ -9,7 +9,8 @@
 #include "helpers/shapes.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 struct Count {
@@ -64,5 +65,3 @@ TEST_CASE("coplanar faces and those that touch are cut in full") {
   CHECK(count.cut == 0);
   CHECK(count.in_full > 0);
 }
-
-}  // namespace transformesh

@@ -9,7 +9,8 @@
 #include "transformesh/errors.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Mesh ball(double radius, const Vec3& center = Vec3::Zero()) {
@@ -71,5 +72,3 @@ TEST_CASE("the outermost surface has no cavities and no components inside them")
   CHECK(drop_enclosed_components(nested) == 4);
   CHECK(volume(nested) == doctest::Approx(volume(ball(5))));
 }
-
-}  // namespace transformesh

@@ -11,7 +11,8 @@
 #include "helpers/mesh_facts.h"
 #include "helpers/random.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Returns a function that visits the faces of a mesh near a box.
@@ -79,5 +80,3 @@ TEST_CASE("uncovered or unreachable cells have no reference point") {
   CHECK(!references.near(Vec3(0, 0, 0), 0));
   CHECK(!references.near(mesh.positions.back(), 0));
 }
-
-}  // namespace transformesh

@@ -5,7 +5,8 @@
 
 #include "helpers/arrangement_facts.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 std::size_t patch_count(const Mesh& mesh) {
@@ -74,5 +75,3 @@ TEST_CASE("pieces that cancel out separate no patches") {
   // If the second cube is inside out, the wall has multiplicity 2 and is a patch of its own.
   CHECK(patch_count(test::joined(test::cube(), test::reversed(second))) == 3);
 }
-
-}  // namespace transformesh

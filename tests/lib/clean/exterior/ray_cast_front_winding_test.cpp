@@ -6,7 +6,8 @@
 
 #include "helpers/arrangement_facts.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// The surface of a cube about the origin, cut into n * n unit squares on each side.
@@ -81,5 +82,3 @@ TEST_CASE("open faces do not count") {
     }
   }
 }
-
-}  // namespace transformesh

@@ -7,7 +7,8 @@
 #include "helpers/arrangement_facts.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Returns the winding number in front of a point of a face.
@@ -88,5 +89,3 @@ TEST_CASE("corners on other faces are left undecided") {
     for (Index i = 0; i < 3; ++i) unknown += windings.at(f, i) ? 0 : 1;
   CHECK(unknown > 0);
 }
-
-}  // namespace transformesh

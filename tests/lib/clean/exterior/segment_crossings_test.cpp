@@ -7,7 +7,8 @@
 
 #include "helpers/random.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Segments in the triangle with corners (0, 0), (10, 0) and (0, 10).
@@ -114,5 +115,3 @@ TEST_CASE("a segment has a side, and a box around both ends") {
   CHECK(crossings.box(0).contains(Eigen::Vector2d(4, 2)));
   CHECK(!crossings.box(0).contains(Eigen::Vector2d(1, 2.001)));
 }
-
-}  // namespace transformesh

@@ -8,7 +8,7 @@
 
 #include "helpers/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("faces at the corners of a lost face have changed, by position and not by index") {
   const Mesh result = test::moved(test::icosphere(2), {2, 0, 0});
@@ -33,5 +33,3 @@ TEST_CASE("faces at the corners of a lost face have changed, by position and not
   changed = find_changed_faces(result, result, source_face, is_new);
   CHECK(changed[5] == 1);
 }
-
-}  // namespace transformesh

@@ -10,7 +10,8 @@
 #include "lib/clean/flat/flat_shapes.h"
 #include "mesh/adjacency.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// A mesh, its regions and their outlines.
@@ -120,5 +121,3 @@ TEST_CASE("an edge bent within the tolerance is straightened, and the displaceme
   CHECK(cube.outlines->movement() > 1e-15);
   CHECK(cube.outlines->movement() < 2e-15);
 }
-
-}  // namespace transformesh

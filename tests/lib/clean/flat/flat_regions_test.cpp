@@ -10,7 +10,8 @@
 #include "mesh/adjacency.h"
 #include "mesh/coordinate_spacing.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 FlatRegions regions_of(const Mesh& mesh, double spacings = 64) {
@@ -80,5 +81,3 @@ TEST_CASE("only regions with wanted faces are found") {
   CHECK(std::count(found.of_face.begin(), found.of_face.end(), no_index) ==
         static_cast<long>(mesh.faces.size()) - 18);
 }
-
-}  // namespace transformesh

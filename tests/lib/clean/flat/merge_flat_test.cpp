@@ -13,7 +13,8 @@
 #include "transformesh/clean.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 MergeFlatResult merge_all(Mesh& mesh, double spacings = 64) {
@@ -192,5 +193,3 @@ TEST_CASE("bodies whose sides are a spacing apart stay closed from step to step"
     }
   }
 }
-
-}  // namespace transformesh

@@ -6,7 +6,8 @@
 #include "helpers/shapes.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 TEST_CASE("the early search agrees with the full search") {
   for (const char* kind : {"two-spheres", "folded", "tangle", "boxes", "pinch", "torus"}) {
     for (const std::size_t faces : {800, 30000}) {
@@ -52,5 +53,3 @@ TEST_CASE("sampled faces that do not intersect are no intersection, whatever the
     CHECK(!has_intersections(part));
   }
 }
-
-}  // namespace transformesh

@@ -8,7 +8,8 @@
 #include "helpers/random.h"
 
 // The oracle is CGAL's exact construction of the intersection of two triangles.
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -129,5 +130,3 @@ TEST_CASE("the point of a contact lies on both faces, and is CGAL's end of their
   }
   CHECK(segments > 500);
 }
-
-}  // namespace transformesh

@@ -11,7 +11,8 @@
 #include "helpers/shapes.h"
 
 // The oracle is the exact test of two faces.
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Returns the number of marked stars. Checks that no two faces of a marked star intersect.
@@ -117,4 +118,3 @@ TEST_CASE("whatever the surface, faces of embedded stars do not meet") {
 }
 
 }  // namespace
-}  // namespace transformesh

@@ -8,7 +8,8 @@
 #include "helpers/random.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Long thin faces side by side, along y and near the plane z = 0, then rotated and shifted.
@@ -90,5 +91,3 @@ TEST_CASE("thin faces that touch are not shown to be apart") {
   CHECK(counts.meet > 1000);
   CHECK(counts.apart > 1000);
 }
-
-}  // namespace transformesh

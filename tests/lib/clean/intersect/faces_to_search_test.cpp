@@ -11,7 +11,8 @@
 #include "helpers/shapes.h"
 
 // The oracle is the exact test of two faces.
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Returns the number of faces to search. Checks that all other faces have no intersection.
@@ -72,4 +73,3 @@ TEST_CASE("meshes of any size are searched, and those that one face spans") {
 }
 
 }  // namespace
-}  // namespace transformesh

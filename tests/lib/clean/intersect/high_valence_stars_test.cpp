@@ -12,7 +12,8 @@
 #include "helpers/shapes.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 double uniform(std::mt19937& random, double low, double high) {
@@ -114,5 +115,3 @@ TEST_CASE("a double cone has few pairs to test") {
   CHECK(stars.has(1));
   CHECK(stars.find_pairs({}).size() < 6 * rim);
 }
-
-}  // namespace transformesh

@@ -9,7 +9,8 @@
 #include "support/parallel.h"
 #include "transformesh/control.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 TEST_CASE("the search finds the pairs that testing all pairs finds") {
   for (const char* kind : {"two-spheres", "folded", "tangle", "boxes", "pinch", "torus"}) {
     CAPTURE(kind);
@@ -43,5 +44,3 @@ TEST_CASE("segments of two balls lie on both") {
     CHECK((b - center).norm() == doctest::Approx(1).epsilon(0.01));
   }
 }
-
-}  // namespace transformesh

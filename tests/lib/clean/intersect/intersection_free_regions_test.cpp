@@ -13,7 +13,8 @@
 #include "transformesh/intersect.h"
 
 // The oracle is the exact test of two faces.
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Returns the number of faces in regions. Checks that no two faces of a region intersect, and that
@@ -124,4 +125,3 @@ TEST_CASE("faces in random order have regions, too, for any number of threads") 
 }
 
 }  // namespace
-}  // namespace transformesh

@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Returns whether a closed polygon is simple, seen along z. Checks that views along x and y of the
@@ -68,4 +69,3 @@ TEST_CASE("an outline with very many adjacent edges is rejected, not accepted") 
 }
 
 }  // namespace
-}  // namespace transformesh

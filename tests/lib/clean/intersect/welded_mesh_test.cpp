@@ -5,7 +5,7 @@
 #include "helpers/random.h"
 #include "helpers/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("equal positions are merged, in the order of their first vertex") {
   test::Random random(2);
@@ -55,5 +55,3 @@ TEST_CASE("faces without area are left out, exactly") {
     }
   }
 }
-
-}  // namespace transformesh

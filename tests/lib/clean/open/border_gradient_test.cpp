@@ -8,7 +8,8 @@
 #include "helpers/random.h"
 #include "helpers/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// A grid of unit size in the plane z = 0, with its center at the origin.
@@ -51,5 +52,3 @@ TEST_CASE("far from the border the bound is close to the integral over the borde
   CHECK(bound >= integral * (1 - 1e-2));
   CHECK(bound <= integral * 1.3);
 }
-
-}  // namespace transformesh

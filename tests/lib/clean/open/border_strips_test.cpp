@@ -11,7 +11,8 @@
 #include "transformesh/clean.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Half a cylinder of radius 1 around the line x = `x`, y = 0. Its ends are in the planes z = `z`
@@ -60,5 +61,3 @@ TEST_CASE("a curve that ends away from the border separates nothing") {
   const Mesh both = test::joined(arch(-0.5, 0), arch(0.5, 1e-6));
   CHECK(surface_area(clean(both).mesh) == doctest::Approx(surface_area(both)));
 }
-
-}  // namespace transformesh

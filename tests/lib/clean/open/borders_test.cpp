@@ -12,7 +12,8 @@
 #include "transformesh/measure.h"
 #include "transformesh/stitch.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Borders borders_of(const Mesh& mesh) { return find_borders(weld(mesh), mesh); }
@@ -195,5 +196,3 @@ TEST_CASE("refused: a non-orientable mesh has its own kind of error") {
   CHECK(result.misoriented_edges == 1);
   CHECK(message.starts_with(result.misorientation));
 }
-
-}  // namespace transformesh

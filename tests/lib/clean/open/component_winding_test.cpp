@@ -4,7 +4,8 @@
 
 #include "helpers/arrangement_facts.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// A box without its top, which is two triangles.
@@ -85,5 +86,3 @@ TEST_CASE("the median at pieces of another component is the solid angle there") 
   REQUIRE(pieces.size() == small.faces.size());
   CHECK(winding.median(0, pieces) == doctest::Approx(5. / 6).epsilon(.02));
 }
-
-}  // namespace transformesh

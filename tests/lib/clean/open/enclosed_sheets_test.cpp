@@ -4,7 +4,8 @@
 
 #include "helpers/arrangement_facts.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// A box from x = 0 to x = 2, and a wall of single faces across it at `x`.
@@ -43,5 +44,3 @@ TEST_CASE("a wall in a body with a hole is not enclosed") {
   open.faces.erase(open.faces.begin() + 8, open.faces.begin() + 10);  // the side x = 0
   CHECK(enclosed_faces(open) == 0);
 }
-
-}  // namespace transformesh

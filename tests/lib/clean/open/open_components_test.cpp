@@ -12,7 +12,8 @@
 #include "helpers/random.h"
 #include "helpers/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 std::vector<Index> components_of(const Mesh& mesh) {
@@ -107,5 +108,3 @@ TEST_CASE("the closed part does not depend on the order of faces") {
     CHECK(count_closed(shuffled) == closed);
   }
 }
-
-}  // namespace transformesh

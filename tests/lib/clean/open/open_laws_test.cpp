@@ -17,7 +17,8 @@
 #include "transformesh/measure.h"
 #include "transformesh/select.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using Corners = std::array<double, 9>;
@@ -281,5 +282,3 @@ TEST_CASE(
   }
   CHECK(2 * compared > rounds());
 }
-
-}  // namespace transformesh

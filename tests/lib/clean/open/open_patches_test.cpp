@@ -5,7 +5,8 @@
 
 #include "helpers/arrangement_facts.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// A square sheet in the plane z = height around the z axis.
@@ -81,5 +82,3 @@ TEST_CASE("of two intersecting sheets the half in front of the other stays") {
     CHECK(area == doctest::Approx(4));
   }
 }
-
-}  // namespace transformesh

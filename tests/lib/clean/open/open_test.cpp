@@ -18,7 +18,8 @@
 #include "transformesh/manifold.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using Map = std::function<Vec3(double, double)>;
@@ -242,5 +243,3 @@ TEST_CASE("an inside-out patch is refused, even if it shares only positions with
     }
   }
 }
-
-}  // namespace transformesh

@@ -8,7 +8,8 @@
 #include "helpers/arrangement_facts.h"
 #include "mesh/disjoint_sets.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Balls that intersect each other and a sheet beside them, as one open component. With
@@ -96,5 +97,3 @@ TEST_CASE("steps across an intersection curve are those of the winding numbers b
   CHECK(near_half == 2);
   CHECK(near_three_halves == 2);
 }
-
-}  // namespace transformesh

@@ -9,7 +9,8 @@
 #include "transformesh/measure.h"
 #include "transformesh/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Returns the area of the faces whose corners are all above a plane z = height.
@@ -64,5 +65,3 @@ TEST_CASE("a folded body with a large hole keeps what the closed body has there"
     }
   CHECK(compared == 12);
 }
-
-}  // namespace transformesh

@@ -9,7 +9,8 @@
 #include "helpers/arrangement_facts.h"
 #include "mesh/disjoint_sets.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 std::vector<char> none(const Patches& patches) { return std::vector<char>(patches.size(), 0); }
@@ -111,5 +112,3 @@ TEST_CASE("winding numbers stay right for tiny and huge coordinates") {
     CHECK(behind == std::multiset<int>{1, 1, 2, 2});
   }
 }
-
-}  // namespace transformesh

@@ -13,7 +13,8 @@
 #include "transformesh/clean.h"
 #include "transformesh/errors.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using Cell = std::array<int, 3>;
@@ -201,5 +202,3 @@ TEST_CASE("sheets that are not walls inside a body stay") {
   CHECK(closed.removed_faces == 0);
   CHECK(closed.mesh.faces.size() == 66);
 }
-
-}  // namespace transformesh

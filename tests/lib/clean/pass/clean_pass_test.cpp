@@ -11,7 +11,8 @@
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 CleanPass pass_over(const Mesh& mesh, const CleanPassOptions& options = {}) {
@@ -86,5 +87,3 @@ TEST_CASE("a mesh that is not oriented is refused, unless that is not to be chec
   options.check_orientation = false;
   CHECK_NOTHROW(pass_over(mesh, options));
 }
-
-}  // namespace transformesh

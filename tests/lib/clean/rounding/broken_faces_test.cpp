@@ -11,7 +11,7 @@
 #include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("intersecting faces are broken where one of them is new, and faces without area always") {
   Assembly assembly =
@@ -82,5 +82,3 @@ TEST_CASE("coincident faces are removed as far as they cancel out") {
   CHECK(three.mesh.faces.size() == 12);
   CHECK(test::signed_volume(three.mesh) == doctest::Approx(1));
 }
-
-}  // namespace transformesh

@@ -14,7 +14,8 @@
 #include "transformesh/intersect.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// A cube with a vertex `height` above its face z = 0.
@@ -196,5 +197,3 @@ TEST_CASE("a vertex on a crease is removed along it, and the shape stays") {
   CHECK(test::signed_volume(mesh) == doctest::Approx(1));
   CHECK(test::count(mesh).is_closed_and_oriented);
 }
-
-}  // namespace transformesh

@@ -18,7 +18,8 @@
 #include "transformesh/mesh_io.h"
 #include "transformesh/remesh.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// The velocity is a sum of a few waves in space, so that neighbors move alike.
@@ -169,5 +170,3 @@ void run_rounds(Scalar coordinate) {
 TEST_CASE("rounds of displace and clean never fail in doubles") { run_rounds(Scalar::float64); }
 
 TEST_CASE("rounds of displace and clean never fail in floats") { run_rounds(Scalar::float32); }
-
-}  // namespace transformesh

@@ -8,7 +8,8 @@
 #include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// A cube with a point in one face, `height` away from an edge, so that the face contains a sliver.
@@ -73,5 +74,3 @@ TEST_CASE("flat faces upon each other vanish") {
   drop_collapsed_faces(assembly);
   CHECK(mesh.faces.empty());
 }
-
-}  // namespace transformesh

@@ -14,7 +14,8 @@
 #include "transformesh/errors.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Mesh boxes(std::uint64_t seed, std::size_t faces) {
@@ -110,5 +111,3 @@ TEST_CASE("a shape that its coordinates cannot represent is refused with a reaso
   const Mesh shape = in_singles(test::moved(test::scaled(test::icosphere(3), 1e-9), {1, 2, 3}));
   CHECK_THROWS_WITH_AS(clean(shape), doctest::Contains("no area"), GoalError);
 }
-
-}  // namespace transformesh

@@ -11,7 +11,8 @@
 #include "helpers/shapes.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using test::cuboid;
@@ -111,5 +112,3 @@ TEST_CASE(
   Cells cells(joined(cuboid({1, 1, 1}, {1.5, 1.5, 1.5}), thin_sheet));
   CHECK(!cells.give(16).has_value());
 }
-
-}  // namespace transformesh

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("distances from a line are accurate near one end, however far the other is") {
   for (const double far : {10.0, 1e20, 1e100, 1e300}) {
@@ -42,5 +42,3 @@ TEST_CASE("a relative height is that over the longest edge, as a share of it") {
   }
   CHECK(relative_height({Vec3(1, 2, 3), Vec3(1, 2, 3), Vec3(1, 2, 3)}) == 0);
 }
-
-}  // namespace transformesh

@@ -8,7 +8,8 @@
 #include "transformesh/clean.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 constexpr double spacing = 0x1p-52;  ///< spacing of doubles from 1 to 2
@@ -75,5 +76,3 @@ TEST_CASE("vertices of the input stay where new ones can move, or until they may
   CHECK(contract_unsplittable_edges(assembly, true, Scalar::float64, moved));
   CHECK(drop_collapsed_faces(assembly));
 }
-
-}  // namespace transformesh

@@ -5,7 +5,8 @@
 
 #include "helpers/assembly_of.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Two faces without a common vertex; all vertices are new.
@@ -72,5 +73,3 @@ TEST_CASE("after cleaning, vertices keep their grids, and new ones take those of
   CHECK(grids.step(after.mesh, 1) == 0x1p-52);
   CHECK(grids.step(after.mesh, 2) == 0x1p-52);
 }
-
-}  // namespace transformesh

@@ -9,7 +9,8 @@
 #include "clean/exterior/exterior.h"
 #include "helpers/arrangement_facts.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Assembly assembled(const Mesh& mesh) {
@@ -119,5 +120,3 @@ TEST_CASE("where both ends of a singular edge are one umbrella, each sheet gets 
   CHECK(count.is_manifold);
   CHECK(test::signed_volume(assembly.mesh) == doctest::Approx(4 + 4 + 2));
 }
-
-}  // namespace transformesh

@@ -13,7 +13,8 @@
 #include "transformesh/measure.h"
 #include "transformesh/stitch.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Every face followed or preceded by its reverse, without common vertices.
@@ -101,5 +102,3 @@ TEST_CASE("cleaning says that a model is double-sided") {
         std::string::npos);
   }
 }
-
-}  // namespace transformesh

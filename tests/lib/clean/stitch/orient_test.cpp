@@ -10,7 +10,8 @@
 #include "helpers/shapes.h"
 #include "transformesh/errors.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Reverses each face at random.
@@ -182,5 +183,3 @@ TEST_CASE("a surface with one side is refused with its place") {
   }
   CHECK(strip.faces == before);
 }
-
-}  // namespace transformesh

@@ -6,7 +6,8 @@
 #include "helpers/shapes.h"
 #include "mesh/edges.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Faces along the edge from vertex 0 to vertex 1; `forward` and `backward` count those that
@@ -57,5 +58,3 @@ TEST_CASE("faces that name a vertex twice say nothing") {
   for (int i = 0; i < 3; ++i) mesh.faces.push_back({0, 0, 1});
   CHECK(describe_misorientation(mesh).empty());
 }
-
-}  // namespace transformesh

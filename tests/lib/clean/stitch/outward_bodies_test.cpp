@@ -10,7 +10,8 @@
 #include "helpers/shapes.h"
 #include "transformesh/stitch.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Mesh ball(double radius) { return test::scaled(test::icosphere(1), radius); }
@@ -89,5 +90,3 @@ TEST_CASE("with outwards, a shuffled cavity takes the orientation of most faces"
   CHECK(volume_of(alone) ==
         doctest::Approx(volume_of(ball(3)) + volume_of(ball(2)) + volume_of(ball(1))));
 }
-
-}  // namespace transformesh

@@ -8,7 +8,8 @@
 #include "clean/stitch/pair_halfedges.h"
 #include "helpers/arrangement_facts.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 void check_pairs(const Arrangement& arrangement, const std::vector<char>& kept) {
@@ -54,5 +55,3 @@ TEST_CASE("kept pieces keep their opposites under their new numbers") {
       {no_index, no_index, no_index, 7, no_index, no_index, no_index, 3, no_index}, {0, 1, 1}, 2);
   CHECK(moved == std::vector<Index>{4, no_index, no_index, no_index, 0, no_index});
 }
-
-}  // namespace transformesh

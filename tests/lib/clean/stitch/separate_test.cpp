@@ -13,7 +13,8 @@
 #include "mesh/coordinate_spacing.h"
 #include "transformesh/clean.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 std::size_t count_places(const Mesh& mesh) {
@@ -199,5 +200,3 @@ TEST_CASE("surfaces that do not touch stay unchanged") {
   CHECK(separate(mesh, {0.1}).separated_vertices == 0);
   CHECK(mesh.positions == before);
 }
-
-}  // namespace transformesh

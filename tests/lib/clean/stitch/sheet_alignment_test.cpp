@@ -7,7 +7,8 @@
 #include <random>
 #include <set>
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using Sums = std::map<Index, int>;  ///< sum of each sheet at one edge
@@ -100,5 +101,3 @@ TEST_CASE("sheets are aligned as if every pair of them was linked") {
     CHECK(is_reversed == expected_reversed);
   }
 }
-
-}  // namespace transformesh

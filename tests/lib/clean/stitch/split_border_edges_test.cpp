@@ -8,7 +8,7 @@
 #include "transformesh/manifold.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("a triangle is cut at vertices upon all of its edges, and keeps its area") {
   // Smaller triangles beyond each edge of the first triangle have further vertices on these edges.
@@ -38,5 +38,3 @@ TEST_CASE("vertices beyond the tolerance, and closed meshes, split nothing") {
   Mesh cube = test::cube();
   CHECK(split_border_edges(cube, 1e-3).edges == 0);
 }
-
-}  // namespace transformesh

@@ -11,7 +11,8 @@
 #include "helpers/random.h"
 #include "mesh/umbrellas.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 constexpr int side = 4;
@@ -147,5 +148,3 @@ TEST_CASE("solids of random cells become manifolds of the same volume") {
   }
   CHECK(split > 20);
 }
-
-}  // namespace transformesh

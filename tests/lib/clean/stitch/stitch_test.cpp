@@ -13,7 +13,8 @@
 #include "transformesh/components.h"
 #include "transformesh/errors.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 std::vector<double> volumes(const Mesh& mesh) {
@@ -465,5 +466,3 @@ TEST_CASE("columns follow their vertices and faces") {
   }
   CHECK(mesh.face_columns.find("id")->values[3] == 7);
 }
-
-}  // namespace transformesh

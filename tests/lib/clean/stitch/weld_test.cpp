@@ -7,7 +7,8 @@
 
 #include "helpers/random.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Points in clusters, some of them equal.
@@ -72,5 +73,3 @@ TEST_CASE("clusters of points within the tolerance are welded as the definition 
       CHECK(weld_positions(positions, tolerance) == welded_by_steps(positions, tolerance));
   }
 }
-
-}  // namespace transformesh

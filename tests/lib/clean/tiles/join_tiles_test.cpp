@@ -15,7 +15,8 @@
 #include "transformesh/errors.h"
 #include "transformesh/mesh_io.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using Corners = std::array<std::array<double, 3>, 3>;
@@ -131,5 +132,3 @@ TEST_CASE("missing, foreign and unequal tiles are named, and nothing is written"
   CHECK(message_of(folder).find("of the same mesh as the other tiles") != std::string::npos);
   CHECK(!std::filesystem::exists(folder / "out.ply"));
 }
-
-}  // namespace transformesh

@@ -10,7 +10,8 @@
 #include "helpers/shapes.h"
 #include "transformesh/errors.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 struct Parts {
@@ -131,5 +132,3 @@ TEST_CASE("edges without a partner are counted, and edges of three faces refused
   Seams seams;
   CHECK_THROWS_AS(seams.add(mesh.faces, 8, [&](Index v) { return mesh.positions[v]; }), InputError);
 }
-
-}  // namespace transformesh

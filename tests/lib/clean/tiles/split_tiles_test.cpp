@@ -17,7 +17,8 @@
 #include "transformesh/errors.h"
 #include "transformesh/mesh_io.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 SplitResult split(const std::string& path, std::size_t count, const std::string& folder) {
@@ -121,5 +122,3 @@ TEST_CASE("more tiles than faces leave some empty") {
   CHECK(tile_path("a", 7, 10) == "a/tile-7.ply");
   CHECK(tile_path("a", 7, 11) == "a/tile-07.ply");
 }
-
-}  // namespace transformesh

@@ -7,7 +7,8 @@
 
 #include "helpers/random.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 bool has(const Box& box, const Vec3& p) {
@@ -78,5 +79,3 @@ TEST_CASE("the grid finds the boxes that touch a box, as testing all of them doe
   }
   CHECK(sum > 100);
 }
-
-}  // namespace transformesh

@@ -9,7 +9,7 @@
 #include "helpers/mesh_facts.h"
 #include "transformesh/errors.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("points of boxes have the winding numbers of solid angles, nested copies included") {
   const Mesh once = test::random_balls(5, 6);
@@ -41,5 +41,3 @@ TEST_CASE("if the box is a point on a diagonal, every ray is undecided") {
   for (Index f = 0; f < cube.faces.size(); ++f) windings.add(triangle_of(cube, f));
   CHECK_THROWS_AS(windings.of_box(0), GoalError);
 }
-
-}  // namespace transformesh

@@ -15,7 +15,8 @@
 #include "transformesh/manifold.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 void check_promises(const Mesh& input, const Mesh& output) {
@@ -222,5 +223,3 @@ TEST_CASE("faces too large to be cut are refused with their place, and those wit
                        InputError);
   CHECK(clean(test::scaled(boxes, 0x1p1016)).mesh.faces.size() == clean(boxes).mesh.faces.size());
 }
-
-}  // namespace transformesh

@@ -7,7 +7,8 @@
 
 #include "helpers/random.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -61,5 +62,3 @@ TEST_CASE("balls beyond the range have no sign, and 0 has sign 0") {
   CHECK(DoubleDoubleBall::unknown().sign() == 0);
   CHECK((DoubleDoubleBall::unknown() + one).sign() == 0);
 }
-
-}  // namespace transformesh

@@ -9,7 +9,8 @@
 #include "helpers/random.h"
 #include "helpers/rational.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using test::Rational;
@@ -70,5 +71,3 @@ TEST_CASE("denormal quotients are rounded towards 0") {
   CHECK(third(0x1p-1072) == 0x1p-1074);
   CHECK(third(0x5p-1074) == 0x1p-1074);
 }
-
-}  // namespace transformesh

@@ -4,7 +4,7 @@
 
 #include "helpers/defined_points.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("positions are the rational positions, rounded to within a unit in the last place") {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
@@ -32,5 +32,3 @@ TEST_CASE("a point with an exact position needs no definition") {
   const ExactGeometry geometry(positions, faces);
   CHECK(!is_exact(geometry.point(PointDefinition::line_plane(3, 4, 0))));
 }
-
-}  // namespace transformesh

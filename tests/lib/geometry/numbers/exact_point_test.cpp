@@ -4,7 +4,7 @@
 
 #include "helpers/rational.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 using test::Rational;
 using test::RationalPoint;
@@ -50,5 +50,3 @@ TEST_CASE("only a definition makes points the same: means and free points have n
   CHECK(!same_definition(ExactGeometry::free({1, 1, 1}), a));
   CHECK(!same_definition(ExactGeometry::free({1, 1, 1}), ExactGeometry::free({2, 2, 2})));
 }
-
-}  // namespace transformesh

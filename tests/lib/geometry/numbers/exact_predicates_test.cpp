@@ -3,7 +3,7 @@
 
 #include "helpers/defined_points.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 using test::Plane;
 using test::Rational;
@@ -81,5 +81,3 @@ TEST_CASE("the Delaunay diagonal of coplanar points agrees with rationals") {
   }
   CHECK(cocircular > 10);
 }
-
-}  // namespace transformesh

@@ -10,7 +10,8 @@
 #include "helpers/random.h"
 #include "helpers/rational.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using Integer = boost::multiprecision::cpp_int;
@@ -135,5 +136,3 @@ TEST_CASE("signs of determinants of words are those of integers without bounds")
   CHECK(zeros > 5000);
   CHECK(zeros < 35000);
 }
-
-}  // namespace transformesh

@@ -9,7 +9,8 @@
 #include "helpers/random.h"
 #include "helpers/rational.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using test::Rational;
@@ -106,5 +107,3 @@ TEST_CASE("the smallest and the largest doubles count") {
   sum.add(least, 2 * least, least, true);
   sum.check();
 }
-
-}  // namespace transformesh

@@ -9,7 +9,8 @@
 #include "helpers/random.h"
 #include "helpers/rational.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using test::Rational;
@@ -135,5 +136,3 @@ TEST_CASE("homogeneous points lie on their planes and lines, by rationals") {
   }
   CHECK(told > 300);
 }
-
-}  // namespace transformesh

@@ -10,7 +10,8 @@
 
 // The oracle is integer arithmetic. Points on small lattices are often coplanar, collinear or
 // equal, and a shift or a scaling by a power of two does not change signs.
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using Lattice = std::array<long, 3>;
@@ -148,5 +149,3 @@ TEST_CASE("faces without area are found exactly") {
   CHECK(degenerate_faces(test::icosphere(3)).empty());
   CHECK(degenerate_faces(Mesh{}).empty());
 }
-
-}  // namespace transformesh

@@ -6,7 +6,8 @@
 #include "helpers/random.h"
 #include "helpers/rational.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 using test::Rational;
@@ -88,5 +89,3 @@ TEST_CASE("infinite values, and zeros with an error, have no sign") {
       -1);
   CHECK((WideExponentBall(3e-322) - WideExponentBall(2e-322)).sign() == 1);
 }
-
-}  // namespace transformesh

@@ -9,7 +9,8 @@
 #include "helpers/random.h"
 #include "helpers/shapes.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 std::set<Cell> cells_of(const CellGrid& grid, const Triangle& t, double margin = 0) {
@@ -104,5 +105,3 @@ TEST_CASE("marks are those made before a round, each once") {
       }
   CHECK(!CellMarks().has(1));
 }
-
-}  // namespace transformesh

@@ -9,7 +9,8 @@
 #include "helpers/random.h"
 
 // The oracle is the exact test of two faces, which does not use links.
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 constexpr Index many = 60;
@@ -116,4 +117,3 @@ TEST_CASE("faces have in common what all of them have, with boxes around it") {
 }
 
 }  // namespace
-}  // namespace transformesh

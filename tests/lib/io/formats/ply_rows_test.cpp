@@ -8,7 +8,8 @@
 #include "transformesh/errors.h"
 #include "transformesh/mesh_io.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Document example(Format format, Scalar coordinate) {
@@ -125,5 +126,3 @@ TEST_CASE("files that cannot be read row by row are refused, with the place") {
   broken.replace(place, 8, std::string("\0\0\0\0\0\0\xf8\x7f", 8));
   CHECK(contains(message(broken), "vertex 7 has a coordinate that is not a finite number"));
 }
-
-}  // namespace transformesh

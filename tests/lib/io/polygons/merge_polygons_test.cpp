@@ -6,7 +6,8 @@
 #include "transformesh/mesh_io.h"
 #include "transformesh/select.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Document read_off(const std::string& text) {
@@ -125,5 +126,3 @@ TEST_CASE("other formats say that polygons become triangles") {
   REQUIRE(!written.notes.empty());
   CHECK(written.notes.back() == "stl: 3 polygons written as triangles");
 }
-
-}  // namespace transformesh

@@ -6,7 +6,7 @@
 #include "helpers/temporary_folder.h"
 #include "transformesh/errors.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("the bytes are those of the file, also after pages were given back") {
   const test::TemporaryFolder folder;
@@ -25,5 +25,3 @@ TEST_CASE("pipes, folders, and empty and missing files are refused at once") {
   for (const char* name : {"fifo", "empty", "missing", "."})
     CHECK_THROWS_AS(MappedFile(folder / name), InputError);
 }
-
-}  // namespace transformesh

@@ -6,7 +6,7 @@
 #include "helpers/temporary_folder.h"
 #include "transformesh/errors.h"
 
-namespace transformesh {
+using namespace transformesh;
 
 TEST_CASE("lists are read back unchanged, long or empty, and leave no file") {
   const test::TemporaryFolder folder;
@@ -30,5 +30,3 @@ TEST_CASE("lists are read back unchanged, long or empty, and leave no file") {
 TEST_CASE("a folder that is missing is refused") {
   CHECK_THROWS_AS(SpilledLists("/no/such/folder", 1), OutputError);
 }
-
-}  // namespace transformesh

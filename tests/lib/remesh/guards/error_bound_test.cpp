@@ -12,7 +12,8 @@
 #include "lib/remesh/double_cone.h"
 #include "remesh/operations/edge_collapser.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 constexpr double longest = 10;
@@ -94,5 +95,3 @@ TEST_CASE("a distance below rounding errors allows nothing") {
   Collapses collapses(test::moved(test::grid(6), {1e6, 0, 0}), 1e-8);
   CHECK(collapses.run(200, false) == 0);
 }
-
-}  // namespace transformesh

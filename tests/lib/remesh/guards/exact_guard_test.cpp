@@ -8,7 +8,9 @@
 #include "helpers/random.h"
 #include "helpers/shapes.h"
 
-namespace transformesh::test {
+using namespace transformesh;
+using namespace transformesh::test;
+
 namespace {
 
 bool boxes_touch(const Triangle& s, const Triangle& t) {
@@ -25,7 +27,7 @@ bool boxes_touch(const Triangle& s, const Triangle& t) {
 TEST_CASE("the guard finds all faces near, also after faces were divided") {
   EditableMesh mesh(icosphere(2));
   ExactGuard guard(mesh);
-  Random random(3);
+  test::Random random(3);
   for (int i = 0; i < 200; ++i) {
     const auto halfedge = static_cast<Index>(random.below(mesh.halfedge_slots()));
     const Index face = halfedge / 3;
@@ -67,5 +69,3 @@ TEST_CASE("triangles with new intersections are refused") {
   const std::array<Triangle, 1> flat{Triangle{Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(2, 0, 1)}};
   CHECK_FALSE(guard.allows(flat, replaced));
 }
-
-}  // namespace transformesh::test

@@ -11,7 +11,8 @@
 #include "remesh/guards/triangle_contact.h"
 #include "support/random.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 std::vector<Index> found_in(const FaceTree& tree, const EditableMesh& mesh, const Vec3& low,
@@ -112,5 +113,3 @@ TEST_CASE("a mesh without faces has an empty tree") {
   const FaceTree tree(mesh);
   CHECK(found_in(tree, mesh, Vec3::Zero(), Vec3::Ones()).empty());
 }
-
-}  // namespace transformesh

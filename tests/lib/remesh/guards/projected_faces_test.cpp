@@ -11,7 +11,8 @@
 #include "lib/remesh/double_cone.h"
 #include "remesh/halfedges/halfedges.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Mesh waves(double height) {
@@ -100,5 +101,3 @@ TEST_CASE("samples of random triangles are within the distance that is certified
   CHECK(certified > 100);
   CHECK(certified < 300);
 }
-
-}  // namespace transformesh

@@ -7,7 +7,8 @@
 #include "helpers/random.h"
 #include "remesh/guards/triangle_contact.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 bool separates(const Vec3& vertex, const Triangle& triangle, const Triangle& face) {
@@ -46,5 +47,3 @@ TEST_CASE("a triangle near the vertex has no planes, unless the vertex is its co
   const Vec3 vertex(0.2, 0.2, 1e-10), a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
   CHECK_FALSE(separates(vertex, {a, b, c}, {vertex, {0.2, 0.2, 1}, {0.2, 0.3, 1}}));
 }
-
-}  // namespace transformesh

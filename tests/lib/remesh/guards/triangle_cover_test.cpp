@@ -7,7 +7,8 @@
 #include "helpers/sampled_distance.h"
 #include "remesh/guards/near_faces.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 struct Answer {
@@ -75,5 +76,3 @@ TEST_CASE("distances of triangles are those of another formula") {
           doctest::Approx(test::squared_to_triangle(point, triangle)).epsilon(1e-9));
   }
 }
-
-}  // namespace transformesh

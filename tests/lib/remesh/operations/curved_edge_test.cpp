@@ -11,7 +11,9 @@
 #include "helpers/shapes.h"
 #include "remesh/halfedges/vertex_role.h"
 
-namespace transformesh::test {
+using namespace transformesh;
+using namespace transformesh::test;
+
 namespace {
 
 /// The largest distances from a surface of the midpoints of edges, on chords and on curves.
@@ -38,7 +40,7 @@ double from_unit_sphere(const Vec3& p) { return p.norm() - 1; }
 
 /// A grid whose inner vertices are moved at random in the plane, then lifted onto z(x, y).
 Mesh lifted_grid(int n, const std::function<double(double, double)>& z) {
-  Random random(7);
+  test::Random random(7);
   Mesh mesh = grid(n);
   for (Vec3& p : mesh.positions) {
     const bool is_inner = p.x() > 0 && p.x() < 1 && p.y() > 0 && p.y() < 1;
@@ -120,5 +122,3 @@ TEST_CASE("a vertex that slides on a sphere stays on it, where the plane would l
   CHECK(plane > 7e-4);
   CHECK(lifted < 0.1 * plane);
 }
-
-}  // namespace transformesh::test

@@ -10,7 +10,9 @@
 #include "remesh/operations/split.h"
 #include "transformesh/intersect.h"
 
-namespace transformesh::test {
+using namespace transformesh;
+using namespace transformesh::test;
+
 namespace {
 
 /// Two tetrahedra on either side of an edge, each with its own copy of the edge. The midpoint of
@@ -68,5 +70,3 @@ TEST_CASE("intersections of the input are split like everything else") {
   REQUIRE(before > 0);
   CHECK(split_long_edges_exactly(editable, {0.2, false}, {}).refused == 0);
 }
-
-}  // namespace transformesh::test

@@ -11,7 +11,8 @@
 #include "transformesh/manifold.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 constexpr Index rim = 3000;
@@ -74,5 +75,3 @@ TEST_CASE("usual meshes and long edges are left alone") {
   CHECK(collapse_high_valence_stars(cone, false, {1e-4, 1e-3}, Progress()) == 0);
   CHECK(cone.valence(0) == rim);
 }
-
-}  // namespace transformesh

@@ -8,7 +8,9 @@
 #include "helpers/shapes.h"
 #include "lib/remesh/remesh_checks.h"
 
-namespace transformesh::test {
+using namespace transformesh;
+using namespace transformesh::test;
+
 namespace {
 
 /// A square of two triangles with a vertex near the middle of its diagonal, moved by `height` along
@@ -84,5 +86,3 @@ TEST_CASE("faces whose corners lie exactly on one line are removed") {
   remove(mesh);
   CHECK(slivers_of(mesh).without_area == 0);
 }
-
-}  // namespace transformesh::test

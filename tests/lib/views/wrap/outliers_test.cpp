@@ -11,7 +11,8 @@
 #include "support/parallel.h"
 #include "transformesh/control.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 Vec3 direction(test::Random& random) {
@@ -175,5 +176,3 @@ TEST_CASE("equal points count once: a heap of outliers is one") {
   CHECK(outliers.size() == 5000);
   CHECK(outliers.front() == 500);
 }
-
-}  // namespace transformesh
