@@ -2,7 +2,7 @@
 
 load ../helpers/common
 
-# Makes the meshes, cameras and photographs that the examples name. The scene is 53 times as large as the
+# Makes the meshes, cameras and photographs that the examples name. The scene is 26.5 times as large as the
 # shape of tm-shape, so that its pixels have the size that the page of tm-photo-step states.
 make_meshes() {
   tm-shape sphere --faces 1000 -o a.ply
@@ -30,10 +30,10 @@ make_meshes() {
 make_scene_of_photographs() {
   tm-shape dented --faces 3000 --format ply-ascii | awk '
     /^element vertex/ { n = $3 }
-    inside && n-- > 0 { print 53 * $1, 53 * $2, 53 * $3; next }
+    inside && n-- > 0 { print 26.5 * $1, 26.5 * $2, 26.5 * $3; next }
     /^end_header/ { inside = 1 }
     { print }' >sparse.ply
-  tm-photograph --write-images photos --write-silhouettes masks -o par.txt sparse.ply
+  tm-photograph --size 160x120 --write-images photos --write-silhouettes masks -o par.txt sparse.ply
   tm-hull --cameras par.txt --silhouettes masks -o hull.ply
   for name in dino_par temple_par cameras; do cp par.txt "$name.txt"; done
   for name in images dino temple dance/1/photos dance/2/photos; do
