@@ -33,10 +33,11 @@ bool one_side_is_open(const Mesh& mesh);
 /// faces.
 std::size_t drop_reverses(Mesh& mesh);
 
-/// Keeps only the first of coincident faces with the same orientation, and drops the others. Faces
-/// coincide if they have the same vertex indices. Face columns are updated; vertices stay. Returns
-/// the number of dropped faces.
-std::size_t drop_copies(Mesh& mesh);
+/// Keeps only the first of coincident faces with the same orientation, and drops the others. With
+/// `drops_walls`, drops all of them if they are a wall between bodies, of which some are inside
+/// out: their other faces are neighbors without the wall. Faces coincide if they have the same
+/// vertex indices. Face columns are updated; vertices stay. Returns the number of dropped faces.
+std::size_t drop_copies(Mesh& mesh, bool drops_walls = false);
 
 /// Reverses the faces of closed components with negative volume. Returns the number of reversed
 /// faces.

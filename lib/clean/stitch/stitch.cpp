@@ -113,7 +113,7 @@ StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
   result.joined_vertices = join_vertices(mesh, options.tolerance);
   if (options.tolerance > 0) result.split_borders = split_borders(mesh, options.tolerance);
   if (options.one_side) result.dropped_reverses = drop_reverses(mesh);
-  if (options.drop_copies) result.dropped_copies = drop_copies(mesh);
+  if (options.drop_copies) result.dropped_copies = drop_copies(mesh, options.orient);
   if (options.orient || options.one_side)
     result.reversed_faces += orient_faces(mesh, options.outwards);
   const std::vector<Face> all_faces = mesh.faces;
