@@ -50,6 +50,20 @@ TEST_CASE("a cavity whose vertices are in line with edges of the body stays a ca
   CHECK(turn_bodies_outwards(mesh) == 0);
 }
 
+TEST_CASE("a cavity that touches the body at each of its vertices stays a cavity") {
+  ShapeOptions options = test::shape("box", 0, {"2", "2", "2"});
+  options.edge = 1;
+  Mesh octahedron;
+  octahedron.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  octahedron.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                      {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  const Mesh body = test::joined(make_shape(options), test::reversed(octahedron));
+  CHECK_FALSE(has_inward_bodies(body));
+  Mesh mesh = test::reversed(body);
+  CHECK(turn_bodies_outwards(mesh) == body.faces.size());
+  CHECK(volume_of(mesh) == doctest::Approx(8 - 4.0 / 3));
+}
+
 TEST_CASE("a body in a body, and a cavity in a cavity, are found") {
   CHECK_FALSE(has_bodies_in_bodies(nested()));
   CHECK(has_bodies_in_bodies(test::joined(ball(3), ball(2))));
