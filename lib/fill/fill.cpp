@@ -8,6 +8,7 @@
 #include <unordered_map>
 
 #include "fill/face_search.h"
+#include "fill/flat_openings.h"
 #include "fill/hole_loops.h"
 #include "fill/hole_neighborhood.h"
 #include "fill/hole_patch.h"
@@ -18,7 +19,6 @@
 #include "mesh/triangle.h"
 #include "support/error_prefix.h"
 #include "transformesh/errors.h"
-#include "transformesh/intersect.h"
 #include "transformesh/manifold.h"
 #include "transformesh/measure.h"
 
@@ -51,22 +51,26 @@ class Filler {
         search_(mesh),
         blends_(mesh.positions.size()) {}
 
-  void fill(const HoleLoop& loop);
+  /// Fills a hole; only a flat opening has several loops.
+  void fill(const std::vector<HoleLoop>& loops);
   /// Adds the attributes (column rows) of the new vertices and faces, and returns the result.
   FillResult finish();
   FillResult& result() { return result_; }
 
  private:
+  void fill_loop(const HoleLoop& loop);
+  bool fill_opening(const std::vector<HoleLoop>& loops);
+  HoleNeighborhood part_around(const HoleLoop& loop, std::vector<Index>& faces) const;
+  PatchKind finest() const;
   bool fits(const HolePatch& patch, const HoleNeighborhood& part, bool may_intersect) const;
-  bool intersect(std::span<const Triangle> triangles) const;
   bool crosses(const HolePatch& patch, const HoleNeighborhood& part) const;
   /// Adds the first patch in `found` that fits into the hole, and returns true if there is one. If
   /// `may_intersect` is set, patches that intersect the mesh fit, too. Then the patch is added only
   /// if the options allow self-intersections.
   bool try_patches(const HoleLoop& loop, const HoleNeighborhood& part, const HolePatches& found,
                    bool may_intersect = false);
-  HolePatches patches_of(const HoleNeighborhood& part, const HoleLoop& border, PatchKind finest,
-                         Search search) const;
+  HolePatches patches_of(const HoleNeighborhood& part, const HoleLoop& border, Search search) const;
+  void round(HolePatches& found) const;
   void add(const HolePatch& patch, const HoleNeighborhood& part, const HoleLoop& loop);
   /// Describes the hole, with its first halfedge instead of a vertex.
   OpenHole open_hole(const HoleLoop& loop) const;
@@ -106,22 +110,6 @@ std::vector<Index> Filler::vertices_of(const HoleLoop& loop) const {
   return vertices;
 }
 
-/// True if some of the triangles intersect each other or a face of the mesh.
-bool Filler::intersect(std::span<const Triangle> triangles) const {
-  Mesh both = neighborhood_of(mesh_, search_.near(triangles)).mesh;
-  const std::size_t old_faces = both.faces.size();
-  // Each corner is a separate vertex, because the intersection test treats equal positions as one
-  // point.
-  for (const Triangle& triangle : triangles) {
-    const auto first = static_cast<Index>(both.positions.size());
-    both.positions.insert(both.positions.end(), triangle.begin(), triangle.end());
-    both.faces.push_back({first, first + 1, first + 2});
-  }
-  const std::vector<FacePair> pairs = find_intersections(both);
-  return std::any_of(pairs.begin(), pairs.end(),
-                     [&](const FacePair& pair) { return pair.second >= old_faces; });
-}
-
 /// True if the patch intersects itself or a nearby face of the mesh. Growing samples of the patch
 /// are tested first: if every face of a patch intersects n others, all pairs would be too many.
 bool Filler::crosses(const HolePatch& patch, const HoleNeighborhood& part) const {
@@ -135,9 +123,9 @@ bool Filler::crosses(const HolePatch& patch, const HoleNeighborhood& part) const
     sample.clear();
     for (std::size_t i = 0; i < count; ++i)
       sample.push_back(triangles[i * triangles.size() / count]);
-    if (intersect(sample)) return true;
+    if (search_.intersect(sample)) return true;
   }
-  return intersect(triangles);
+  return search_.intersect(triangles);
 }
 
 bool Filler::fits(const HolePatch& patch, const HoleNeighborhood& part, bool may_intersect) const {
@@ -173,48 +161,85 @@ void Filler::add(const HolePatch& patch, const HoleNeighborhood& part, const Hol
   result_.new_faces += patch.faces.size();
 }
 
-void Filler::fill(const HoleLoop& loop) {
+PatchKind Filler::finest() const {
+  return !options_.refine ? PatchKind::plain
+         : options_.fair  ? PatchKind::faired
+                          : PatchKind::refined;
+}
+
+/// Returns the faces around a hole. Sets `faces` to their indices.
+HoleNeighborhood Filler::part_around(const HoleLoop& loop, std::vector<Index>& faces) const {
+  faces = faces_around(mesh_, vertices_of(loop), [&](Index v, std::vector<Index>& all) {
+    if (v < blends_.size() - result_.new_vertices)
+      all.insert(all.end(), around_[v].begin(), around_[v].end());
+    if (const auto added = added_.find(v); added != added_.end())
+      all.insert(all.end(), added->second.begin(), added->second.end());
+  });
+  return neighborhood_of(mesh_, faces);
+}
+
+void Filler::fill(const std::vector<HoleLoop>& loops) {
+  if (loops.size() > 1 && fill_opening(loops)) return;
+  for (const HoleLoop& loop : loops) fill_loop(loop);
+}
+
+bool Filler::fill_opening(const std::vector<HoleLoop>& loops) {
+  HoleLoop all;
+  for (const HoleLoop& loop : loops) all.insert(all.end(), loop.begin(), loop.end());
+  if (is_too_large(all)) {
+    ++result_.holes;
+    result_.too_large.push_back(open_hole(all));
+    return true;
+  }
+  std::vector<Index> faces;
+  const HoleNeighborhood part = part_around(all, faces);
+  std::vector<HoleLoop> borders = loops;
+  for (HoleLoop& border : borders)
+    for (Index& h : border) h = halfedge_in_neighborhood(faces, h);
+  HolePatches found = finer_patches(part.mesh, triangulate_opening(part.mesh, borders), finest());
+  round(found);
+  if (!try_patches(all, part, found)) return false;
+  ++result_.holes;
+  return true;
+}
+
+void Filler::fill_loop(const HoleLoop& loop) {
   ++result_.holes;
   if (is_too_large(loop)) {
     result_.too_large.push_back(open_hole(loop));
     return;
   }
-  const std::vector<Index> faces =
-      faces_around(mesh_, vertices_of(loop), [&](Index v, std::vector<Index>& all) {
-        if (v < blends_.size() - result_.new_vertices)
-          all.insert(all.end(), around_[v].begin(), around_[v].end());
-        if (const auto added = added_.find(v); added != added_.end())
-          all.insert(all.end(), added->second.begin(), added->second.end());
-      });
-  const HoleNeighborhood part = neighborhood_of(mesh_, faces);
+  std::vector<Index> faces;
+  const HoleNeighborhood part = part_around(loop, faces);
   HoleLoop border;
   for (const Index h : loop) border.push_back(halfedge_in_neighborhood(faces, h));
 
-  const PatchKind finest = !options_.refine ? PatchKind::plain
-                           : options_.fair  ? PatchKind::faired
-                                            : PatchKind::refined;
-  const HolePatches found = patches_of(part, border, finest, Search::delaunay);
+  const HolePatches found = patches_of(part, border, Search::delaunay);
   if (try_patches(loop, part, found)) return;
   if (!found.are_of_all && loop.size() <= most_edges_of_all &&
-      try_patches(loop, part, patches_of(part, border, finest, Search::all)))
+      try_patches(loop, part, patches_of(part, border, Search::all)))
     return;
   const bool crosses = try_patches(loop, part, found, true);
   if (crosses && options_.allow_self_intersections) return;
   (crosses ? result_.crossing : result_.flat).push_back(open_hole(loop));
 }
 
-/// Returns patches for a hole, with positions rounded to the type in which they will be written.
+/// Rounds positions to the type in which they will be written.
+void Filler::round(HolePatches& found) const {
+  for (HolePatch& patch : found.patches)
+    for (Vec3& point : patch.points) point = rounded_to(point, options_.coordinate);
+}
+
 HolePatches Filler::patches_of(const HoleNeighborhood& part, const HoleLoop& border,
-                               PatchKind finest, Search search) const {
+                               Search search) const {
   const HoleNeighborhood apart = with_other_holes_apart(part.mesh, border);
   const auto known = static_cast<Index>(apart.vertices.size());
   const auto first_new = static_cast<Index>(part.vertices.size());
-  HolePatches found = patch_hole(apart.mesh, border.front(), finest, search);
-  for (HolePatch& patch : found.patches) {
-    for (Vec3& point : patch.points) point = rounded_to(point, options_.coordinate);
+  HolePatches found = patch_hole(apart.mesh, border.front(), finest(), search);
+  round(found);
+  for (HolePatch& patch : found.patches)
     for (Face& face : patch.faces)
       for (Index& v : face) v = v < known ? apart.vertices[v] : first_new + v - known;
-  }
   return found;
 }
 
@@ -251,12 +276,12 @@ FillResult fill_holes(Mesh& mesh, const FillOptions& options, const Progress& pr
   check(mesh, found, options);
   if (found.is_closed()) return {};
   const std::vector<Face> before = mesh.faces;
-  const std::vector<HoleLoop> loops = join_touching_holes(mesh, found.border_halfedges);
+  std::vector<HoleLoop> loops = join_touching_holes(mesh, found.border_halfedges);
   const bool any_touch = mesh.faces != before || !found.nonmanifold_vertices.empty();
   Filler filler(mesh, options);
-  for (const HoleLoop& loop : loops) {
+  for (const std::vector<HoleLoop>& hole : group_flat_openings(mesh, std::move(loops))) {
     progress("filling holes");
-    filler.fill(loop);
+    filler.fill(hole);
   }
   FillResult result = filler.finish();
   if (any_touch) separate_open_holes(mesh, before);

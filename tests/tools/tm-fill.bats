@@ -54,6 +54,20 @@ setup() {
   done
 }
 
+@test "the missing side of a turned part is closed around a through hole" {
+  tm-shape box 6 4 1 -o block.off
+  tm-shape box 2 1 3 -o drill.off
+  tm-boolean difference block.off drill.off -o part.off
+  tm-select --box -9,-9,-0.6,9,9,-0.4 --invert part.off |
+    tm-transform --rotate 1,2,3,40 -o open.off
+  for command in 'tm-fill --no-fair' 'tm-fill --no-refine' tm-repair; do
+    $command open.off -o closed.off
+    tm-checkmanifold --closed --intersections closed.off
+    [ "$(tm-info --get genus closed.off)" -eq 1 ]
+    tm-info --get volume closed.off | awk '{ exit !($1 > 21.999 && $1 < 22.001) }'
+  done
+}
+
 @test "limits leave a hole open, which is reported with its place" {
   run --separate-stderr tm-fill --max-edges 5 open.ply -o still.ply
   assert_status 0
