@@ -1,7 +1,7 @@
 /// Finds flat openings with several border loops, such as the missing bottom of a plate that has
-/// holes: an outer loop, and loops in its plane within it that have the opposite direction. If each
-/// loop had its own patch, the patches would coincide. Cost: O(n) for n vertices of loops, O(n log
-/// n) to triangulate, if few boxes of loops are nested. Deterministic.
+/// holes. An opening has an outer loop, and loops within it in the same plane that have the
+/// opposite direction. If each loop had its own patch, the patches would coincide. Cost: O(n) for n
+/// vertices of loops, O(n log n) to triangulate, if few boxes of loops are nested. Deterministic.
 #pragma once
 
 #include "fill/hole_loops.h"

@@ -62,9 +62,9 @@ void visit_double_sided(const std::vector<Face>& faces, const Visit& visit) {
   });
 }
 
-// Returns the faces of the mesh after vertices at equal positions are merged.
-std::vector<Face> welded_faces(const Mesh& mesh) {
-  const std::vector<Index> joined = weld_positions(mesh.positions, 0);
+// Returns the faces of the mesh after vertices within the tolerance are merged.
+std::vector<Face> welded_faces(const Mesh& mesh, double tolerance) {
+  const std::vector<Index> joined = weld_positions(mesh.positions, tolerance);
   std::vector<Face> faces = mesh.faces;
   for (Face& face : faces)
     for (Index& v : face) v = joined[v];
@@ -132,15 +132,15 @@ std::vector<char> walls(const Mesh& mesh, const std::vector<Index>& original) {
 }  // namespace
 
 std::size_t count_double_sided(const Mesh& mesh) {
-  const std::vector<Face> faces = welded_faces(mesh);
+  const std::vector<Face> faces = welded_faces(mesh, 0);
   std::size_t count = 0;
   visit_double_sided(
       faces, [&](auto first, auto last) { count += static_cast<std::size_t>(last - first); });
   return count;
 }
 
-bool needs_one_side(const Mesh& mesh) {
-  Mesh welded{mesh.positions, without_collapsed(welded_faces(mesh)), {}, {}};
+bool needs_one_side(const Mesh& mesh, double tolerance) {
+  Mesh welded{mesh.positions, without_collapsed(welded_faces(mesh, tolerance)), {}, {}};
   const Edges edges(welded);
   if (has_double_part(welded.faces, edges)) return true;
   Mesh both = welded;
@@ -151,7 +151,7 @@ bool needs_one_side(const Mesh& mesh) {
 }
 
 bool one_side_is_open(const Mesh& mesh) {
-  Mesh one{mesh.positions, welded_faces(mesh), {}, {}};
+  Mesh one{mesh.positions, welded_faces(mesh, 0), {}, {}};
   drop_reverses(one);
   const Edges edges(without_collapsed(one.faces), one.positions.size());
   for (std::size_t e = 0; e < edges.size(); ++e)

@@ -15,12 +15,12 @@ namespace transformesh {
 std::size_t count_double_sided(const Mesh& mesh);
 
 /// True if the mesh is double-sided: it encloses its volume only after one of two coincident faces
-/// with opposite orientations (reverses) is removed. Vertices at equal positions count as merged.
+/// with opposite orientations (reverses) is removed. Vertices within `tolerance` count as merged.
 /// Otherwise such faces are walls between bodies that touch, and winding numbers do not count them.
 /// One side must be removed in two cases. Either all faces of a connected part coincide with
 /// others, some with opposite orientations. Or fewer edges have an odd number of faces if only one
 /// of coincident faces stays, also compared with the mesh without copies of the same orientation.
-bool needs_one_side(const Mesh& mesh);
+bool needs_one_side(const Mesh& mesh, double tolerance = 0);
 
 /// True if the mesh would have a border after two steps: vertices at equal positions are merged,
 /// and drop_reverses() keeps one of coincident faces with opposite orientations. Does not change

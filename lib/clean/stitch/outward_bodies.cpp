@@ -95,9 +95,9 @@ Mesh Bodies::mesh_of(Index part) const {
   return result;
 }
 
-// Calls `vote` for about `voters` vertices of component `inner`, and for the middles of their faces
-// if no vertex has a vote, as in a cavity that touches its body at each vertex. True if `vote`
-// returns true more often than false.
+// Calls `vote` for about `voters` vertices of component `inner`. If no vertex has a vote, as in a
+// cavity that touches its body at each vertex, calls it for the middles of their faces. True if
+// `vote` returns true more often than false.
 bool Bodies::most_vote(Index inner,
                        const std::function<std::optional<bool>(const Vec3&)>& vote) const {
   std::size_t yes = 0, no = 0;

@@ -71,6 +71,15 @@ TEST_CASE("bodies that share faces become one, also if one is inside out") {
   CHECK(drop_copies(mesh, true) == first.faces.size());
 }
 
+TEST_CASE("a double-sided model with cracks is recognized with their tolerance") {
+  Mesh mesh = double_sided(test::icosphere(2), 1);
+  CHECK(needs_one_side(mesh));
+  test::Random random(2);
+  for (Vec3& p : mesh.positions) p += random.point(-1e-7, 1e-7);
+  CHECK_FALSE(needs_one_side(mesh));
+  CHECK(needs_one_side(mesh, 1e-6));
+}
+
 TEST_CASE("a surface with one side only stays") {
   Mesh mesh = test::joined(test::icosphere(1), test::moved(test::icosphere(1), {3, 0, 0}));
   CHECK(count_double_sided(mesh) == 0);
