@@ -132,6 +132,8 @@ std::vector<std::vector<Index>> Bodies::containers() const {
     std::optional<RayCastWinding> winding;
     Mesh outer_mesh;
     for_each_within(outer, [&](Index inner) {
+      // A copy of a component is not inside of it.
+      if (is_closed(inner) && std::abs(volume(inner)) >= std::abs(volume(outer))) return;
       if (!winding) {
         outer_mesh = mesh_of(outer);
         winding.emplace(outer_mesh);

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "helpers/mesh_facts.h"
@@ -62,6 +63,17 @@ TEST_CASE("a cavity that touches the body at each of its vertices stays a cavity
   Mesh mesh = test::reversed(body);
   CHECK(turn_bodies_outwards(mesh) == body.faces.size());
   CHECK(volume_of(mesh) == doctest::Approx(8 - 4.0 / 3));
+}
+
+TEST_CASE("copies of a body that is inside out are both reversed, in any position") {
+  for (int i = 0; i < 10; ++i) {
+    const Eigen::AngleAxisd turn(0.3 + i, Vec3(1, 2, 3).normalized());
+    Mesh copy = test::reversed(test::cube());
+    for (Vec3& p : copy.positions) p = turn * p;
+    Mesh mesh = test::joined(copy, copy);
+    CHECK(turn_bodies_outwards(mesh) == mesh.faces.size());
+    CHECK(volume_of(mesh) == doctest::Approx(2));
+  }
 }
 
 TEST_CASE("a body in a body, and a cavity in a cavity, are found") {
