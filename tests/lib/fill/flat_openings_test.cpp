@@ -80,6 +80,14 @@ TEST_CASE("a plate with holes, without top and bottom, becomes the plate") {
   CHECK(result.too_large[0].edges == 12);
 }
 
+TEST_CASE("rounded coordinates far from the origin do not separate the loops of an opening") {
+  Mesh mesh = rotated(plate(), 1);
+  for (Vec3& p : mesh.positions) p = (p + Vec3(1e5, 5e4, 2e4)).cast<float>().cast<double>();
+  CHECK(groups_of(mesh).size() == 2);
+  CHECK(fill_holes(mesh, {.fair = false}).filled() == 2);
+  CHECK(check_manifold(mesh).is_closed());
+}
+
 TEST_CASE("loops with the same direction, beside each other or in other planes, are alone") {
   const Mesh outer = walls({0, 0, 0}, {4, 4, 4}, false);
   CHECK(groups_of(test::joined(outer, walls({1, 1, 0}, {2, 2, 4}, false))).size() == 4);
