@@ -61,13 +61,14 @@ FlatLoop describe(const Mesh& mesh, const HoleLoop& loop) {
   return flat;
 }
 
-/// True if a point is inside a loop in the projection: a ray crosses the loop an odd number of
-/// times.
+/// True if a point is a vertex of a loop, or inside of it in the projection: a ray crosses the loop
+/// an odd number of times.
 bool surrounds(const Mesh& mesh, const HoleLoop& loop, const Projection& projection,
                const Vec3& point) {
   const Eigen::Vector2d p = projection(point);
   bool is_inside = false;
   for (const Index h : loop) {
+    if (mesh.positions[halfedge_source(mesh, h)] == point) return true;
     const Eigen::Vector2d a = projection(mesh.positions[halfedge_source(mesh, h)]);
     const Eigen::Vector2d b = projection(mesh.positions[halfedge_target(mesh, h)]);
     if ((a.y() > p.y()) == (b.y() > p.y())) continue;

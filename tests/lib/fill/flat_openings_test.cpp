@@ -80,6 +80,42 @@ TEST_CASE("a plate with holes, without top and bottom, becomes the plate") {
   CHECK(result.too_large[0].edges == 12);
 }
 
+TEST_CASE("an opening may touch faces within it at vertices") {
+  // Four squares of the missing bottom are left; three of them touch walls or each other.
+  Mesh mesh;
+  const Index n = 6;
+  for (Index z = 0; z <= 1; ++z)
+    for (Index y = 0; y <= n; ++y)
+      for (Index x = 0; x <= n; ++x) mesh.positions.emplace_back(x, y, z);
+  const auto at = [](Index x, Index y, Index z) { return (z * (n + 1) + y) * (n + 1) + x; };
+  const auto add = [&](Index a, Index b, Index c, Index d) {
+    mesh.faces.push_back({a, b, c});
+    mesh.faces.push_back({a, c, d});
+  };
+  for (Index y = 0; y < n; ++y)
+    for (Index x = 0; x < n; ++x) {
+      add(at(x, y, 1), at(x + 1, y, 1), at(x + 1, y + 1, 1), at(x, y + 1, 1));
+      if ((x == 1 || x == 2 || x == 4) && y == x)
+        add(at(x, y, 0), at(x, y + 1, 0), at(x + 1, y + 1, 0), at(x + 1, y, 0));
+    }
+  add(at(4, 1, 0), at(4, 2, 0), at(5, 2, 0), at(5, 1, 0));
+  mesh.faces.push_back({at(0, 3, 0), at(1, 4, 0), at(1, 3, 0)});
+  for (Index k = 0; k < n; ++k) {
+    add(at(k, 0, 0), at(k + 1, 0, 0), at(k + 1, 0, 1), at(k, 0, 1));
+    add(at(n, k, 0), at(n, k + 1, 0), at(n, k + 1, 1), at(n, k, 1));
+    add(at(k + 1, n, 0), at(k, n, 0), at(k, n, 1), at(k + 1, n, 1));
+    add(at(0, k + 1, 0), at(0, k, 0), at(0, k, 1), at(0, k + 1, 1));
+  }
+  for (const FillOptions& options : {FillOptions{.refine = false}, FillOptions{.fair = false}}) {
+    Mesh filled = rotated(mesh, 1);
+    CHECK(fill_holes(filled, options).filled() == 1);
+    CHECK(check_manifold(filled).is_manifold());
+    CHECK(check_manifold(filled).is_closed());
+    CHECK(find_intersections(filled).empty());
+    CHECK(volume(filled) == doctest::Approx(36));
+  }
+}
+
 TEST_CASE("rounded coordinates far from the origin do not separate the loops of an opening") {
   Mesh mesh = rotated(plate(), 1);
   for (Vec3& p : mesh.positions) p = (p + Vec3(1e5, 5e4, 2e4)).cast<float>().cast<double>();
