@@ -20,6 +20,10 @@ namespace {
 /// itself.
 constexpr double least_cosine = -0.1;
 
+/// At sharp edges, umbrellas belong to one surface if the angles between their borders are smaller
+/// than the angles within the umbrellas by this factor. Both are equal at squares that touch.
+constexpr double clearly_smaller = 0.9;
+
 /// Umbrellas at one position that belong to one surface form a node.
 struct Nodes {
   Umbrellas umbrellas;
@@ -66,6 +70,40 @@ void set_normals(const Mesh& mesh, const std::vector<std::vector<Index>>& groups
   }
 }
 
+/// Compares the border edges of umbrellas.
+class BorderAngles {
+ public:
+  BorderAngles(const Mesh& mesh, const Umbrellas& umbrellas, const std::vector<Index>& border)
+      : mesh_(mesh),
+        leaving_(umbrellas.vertex_of.size(), no_index),
+        arriving_(umbrellas.vertex_of.size(), no_index) {
+    for (const Index h : border) {
+      leaving_[umbrellas.of_corner[h]] = h;
+      arriving_[umbrellas.of_corner[next_halfedge(h)]] = h;
+    }
+  }
+
+  /// True if the holes between two umbrellas are narrower than the umbrellas.
+  bool are_neighbors(Index a, Index b) const {
+    return angle(a, b) + angle(b, a) < clearly_smaller * (angle(a, a) + angle(b, b));
+  }
+
+ private:
+  double angle(Index from, Index to) const {
+    const Index in = arriving_[from], out = leaving_[to];
+    const Vec3 u =
+        (mesh_.positions[halfedge_source(mesh_, in)] - mesh_.positions[halfedge_target(mesh_, in)])
+            .stableNormalized();
+    const Vec3 v = (mesh_.positions[halfedge_target(mesh_, out)] -
+                    mesh_.positions[halfedge_source(mesh_, out)])
+                       .stableNormalized();
+    return elementary::atan2(u.cross(v).norm(), u.dot(v));
+  }
+
+  const Mesh& mesh_;
+  std::vector<Index> leaving_, arriving_;  ///< border halfedges of each umbrella
+};
+
 std::vector<Face> joined_faces(const Mesh& mesh, const Nodes& nodes) {
   std::vector<Face> faces = mesh.faces;
   for (Index h = 0; h < 3 * faces.size(); ++h)
@@ -98,11 +136,13 @@ Nodes find_nodes(const Mesh& mesh, const std::vector<Index>& border) {
   const std::vector<std::vector<Index>> groups = find_groups(mesh, nodes.umbrellas, border);
   nodes.normals.resize(count, Vec3::Zero());
   set_normals(mesh, groups, nodes);
+  const BorderAngles angles(mesh, nodes.umbrellas, border);
   DisjointSets sets(count);
   for (const std::vector<Index>& group : groups)
     for (const Index a : group)
       for (const Index b : group)
-        if (nodes.normals[a].dot(nodes.normals[b]) > least_cosine) sets.join(a, b);
+        if (nodes.normals[a].dot(nodes.normals[b]) > least_cosine || angles.are_neighbors(a, b))
+          sets.join(a, b);
   for (Index u = 0; u < count; ++u) nodes.of_umbrella.push_back(sets.find(u));
   if (!groups.empty()) separate_coincident_edges(mesh, nodes);
   return nodes;

@@ -83,6 +83,22 @@ TEST_CASE("three holes around a vertex have three loops") {
   CHECK(sizes_of_loops(stitched(mesh)) == std::vector<std::size_t>{3, 3, 3, 16});
 }
 
+TEST_CASE("holes that touch at a sharp edge have a loop each") {
+  // Two sides of a wedge with an angle of 30 degrees, with a missing face on each side.
+  Mesh mesh = sheet(6, 1, [](Index, Index) { return false; });
+  const auto first_face = [](std::ptrdiff_t square) { return 2 * (6 * square + square); };
+  mesh.faces.erase(mesh.faces.begin() + first_face(3));
+  mesh.faces.erase(mesh.faces.begin() + first_face(2) + 1);
+  for (Vec3& p : mesh.positions)
+    if (p.y() > 3) p = {p.x(), 3 - (p.y() - 3) * 0.8660254037844386, -(p.y() - 3) / 2};
+  CHECK(sizes_of_loops(mesh) == std::vector<std::size_t>{3, 3, 24});
+  CHECK(sizes_of_loops(stitched(mesh)) == std::vector<std::size_t>{3, 3, 24});
+  const FillResult result = fill_holes(mesh, {.max_edges = 4, .refine = false});
+  CHECK(result.filled() == 2);
+  CHECK(check_manifold(mesh).is_manifold());
+  CHECK(surface_area(mesh) == doctest::Approx(36));
+}
+
 TEST_CASE("open bodies whose rims touch keep their loops") {
   const auto without_top = [](Mesh mesh) {
     std::erase_if(mesh.faces, [&](const Face& f) {
