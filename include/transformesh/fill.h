@@ -1,14 +1,15 @@
 /// Closes the holes of a mesh. Each border loop gets a patch that is triangulated, refined and
-/// faired. A patch is rejected if it intersects the mesh, an earlier patch or itself, or has a face
-/// without area. Then patches without fairing, without refinement, and with another triangulation
-/// are tried. If none fits, the hole stays open. Intersections are decided exactly, in coordinates
-/// as they will be written. Self-intersections of the input are no obstacle.
-///
-/// Guarantees: input vertices and faces stay, with order and columns; new ones follow. The result
-/// is an oriented manifold. Numeric columns of new vertices are the mean of the three nearest
-/// border vertices, weighted by inverse distance. Columns of new faces are 0, and empty for lists.
-/// Deterministic for any number of threads. Throws InputError if the mesh is not an oriented
-/// manifold, naming the place. Cost: that of the patches, and O(n) for each hole.
+/// faired; a flat opening with loops in it gets one patch. A patch is rejected if it intersects the
+/// mesh, an earlier patch or itself, or has a face without area. Then patches without fairing or
+/// refinement, and with another triangulation, are tried. If none fits, the hole stays open.
+/// Intersections, except those of the input, are decided exactly in coordinates as written.
+/// Holes may touch at a vertex. Copies of the vertex are joined; if holes at it stay open, the
+/// vertex is copied for each umbrella of faces. Other input vertices and all input faces stay, with
+/// order and columns; new ones follow. The result is an oriented manifold.
+/// Numeric columns of new vertices are the mean of the three nearest border vertices, weighted by
+/// inverse distance. Columns of new faces are 0, and empty for lists. Deterministic for any number
+/// of threads. Throws InputError if an edge is not manifold or not oriented, naming the place.
+/// Cost: that of the patches, and O(n) for each hole.
 #pragma once
 
 #include <cstddef>

@@ -26,7 +26,7 @@ struct StitchOptions {
   /// Reverse faces so that neighbors agree. Then orient changed closed parts outwards. Changed open
   /// parts get the orientation that most of their faces had.
   bool orient = false;
-  /// Drop all but the first of coincident faces with the same direction.
+  /// Drop all but the first of coincident faces of one direction; with `orient`, all of a wall.
   bool drop_copies = false;
   /// Drop faces whose reverse is present (double_sided.h), orient, and turn closed parts outwards.
   bool one_side = false;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "fill/hole_neighborhood.h"
+#include "transformesh/intersect.h"
+
 namespace transformesh {
 
 FaceSearch::FaceSearch(const Mesh& mesh) : mesh_(mesh), frame_(mesh.positions) { update(); }
@@ -33,6 +36,21 @@ std::vector<Index> FaceSearch::near(std::span<const Triangle> triangles) const {
 FloatBox FaceSearch::box(const Triangle& triangle) const {
   const auto& [a, b, c] = triangle;
   return frame_.box(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c));
+}
+
+bool FaceSearch::intersect(std::span<const Triangle> triangles) const {
+  Mesh both = neighborhood_of(mesh_, near(triangles)).mesh;
+  const std::size_t old_faces = both.faces.size();
+  // Each corner is a separate vertex, because the intersection test treats equal positions as one
+  // point.
+  for (const Triangle& triangle : triangles) {
+    const auto first = static_cast<Index>(both.positions.size());
+    both.positions.insert(both.positions.end(), triangle.begin(), triangle.end());
+    both.faces.push_back({first, first + 1, first + 2});
+  }
+  const std::vector<FacePair> pairs = find_intersections(both);
+  return std::any_of(pairs.begin(), pairs.end(),
+                     [&](const FacePair& pair) { return pair.second >= old_faces; });
 }
 
 }  // namespace transformesh

@@ -24,6 +24,9 @@ class FaceSearch {
   /// ascending order. May also return faces whose boxes are just beside such a box.
   std::vector<Index> near(std::span<const Triangle> triangles) const;
 
+  /// True if some of the triangles intersect each other or a face of the mesh.
+  bool intersect(std::span<const Triangle> triangles) const;
+
  private:
   FloatBox box(const Triangle& triangle) const;
 

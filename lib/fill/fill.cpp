@@ -5,8 +5,11 @@
 #include <cmath>
 #include <optional>
 #include <span>
+#include <unordered_map>
 
 #include "fill/face_search.h"
+#include "fill/flat_openings.h"
+#include "fill/hole_loops.h"
 #include "fill/hole_neighborhood.h"
 #include "fill/hole_patch.h"
 #include "geometry/numbers/predicates.h"
@@ -16,15 +19,11 @@
 #include "mesh/triangle.h"
 #include "support/error_prefix.h"
 #include "transformesh/errors.h"
-#include "transformesh/intersect.h"
 #include "transformesh/manifold.h"
 #include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {
-
-/// A boundary loop as a list of border halfedges; each halfedge starts where the previous one ends.
-using Loop = std::vector<Index>;
 
 /// Number of faces in the first sample of a patch, and ratio of the sizes of successive samples.
 /// All samples of a patch together have at most a tenth as many faces as the patch. Measured on
@@ -35,27 +34,12 @@ void check(const Mesh& mesh, const ManifoldReport& found, const FillOptions& opt
   if (options.max_edges < 3)
     throw UsageError("a hole has at least 3 edges: the limit must be 3 or more");
   if (!(options.max_diameter > 0)) throw UsageError("the largest diameter must be greater than 0");
-  if (!found.is_manifold() || !found.is_oriented())
+  // Vertices with several umbrellas are separated after holes are filled.
+  const bool may_touch =
+      !found.is_closed() && found.nonmanifold_edges.empty() && found.collapsed_faces.empty();
+  if (!(found.is_manifold() || may_touch) || !found.is_oriented())
     throw InputError(prefixed("holes are filled only in oriented manifolds, but ",
                               manifold_problem(mesh, found, false)));
-}
-
-/// Returns the border loops of a manifold, in the order of their first halfedges.
-std::vector<Loop> loops_of(const Mesh& mesh, const std::vector<Index>& border) {
-  std::vector<Index> from(mesh.positions.size(), no_index);
-  for (const Index h : border) from[halfedge_source(mesh, h)] = h;
-  std::vector<Loop> loops;
-  for (const Index first : border) {
-    Loop loop;
-    Index vertex = halfedge_source(mesh, first);
-    while (from[vertex] != no_index) {
-      loop.push_back(from[vertex]);
-      from[vertex] = no_index;
-      vertex = halfedge_target(mesh, loop.back());
-    }
-    if (!loop.empty()) loops.push_back(std::move(loop));
-  }
-  return loops;
 }
 
 class Filler {
@@ -67,39 +51,43 @@ class Filler {
         search_(mesh),
         blends_(mesh.positions.size()) {}
 
-  void fill(const Loop& loop);
+  /// Fills a hole; only a flat opening has several loops.
+  void fill(const std::vector<HoleLoop>& loops);
   /// Adds the attributes (column rows) of the new vertices and faces, and returns the result.
   FillResult finish();
   FillResult& result() { return result_; }
 
  private:
+  void fill_loop(const HoleLoop& loop);
+  bool fill_opening(const std::vector<HoleLoop>& loops);
+  HoleNeighborhood part_around(const HoleLoop& loop, std::vector<Index>& faces) const;
+  PatchKind finest() const;
   bool fits(const HolePatch& patch, const HoleNeighborhood& part, bool may_intersect) const;
-  bool intersect(std::span<const Triangle> triangles) const;
   bool crosses(const HolePatch& patch, const HoleNeighborhood& part) const;
   /// Adds the first patch in `found` that fits into the hole, and returns true if there is one. If
   /// `may_intersect` is set, patches that intersect the mesh fit, too. Then the patch is added only
   /// if the options allow self-intersections.
-  bool try_patches(const Loop& loop, const HoleNeighborhood& part, const HolePatches& found,
+  bool try_patches(const HoleLoop& loop, const HoleNeighborhood& part, const HolePatches& found,
                    bool may_intersect = false);
-  HolePatches patches_of(const HoleNeighborhood& part, Index border, PatchKind finest,
-                         Search search) const;
-  void add(const HolePatch& patch, const HoleNeighborhood& part, const Loop& loop);
-  OpenHole open_hole(const Loop& loop) const;
-  bool is_too_large(const Loop& loop) const;
-  std::vector<Index> vertices_of(const Loop& loop) const;
+  HolePatches patches_of(const HoleNeighborhood& part, const HoleLoop& border, Search search) const;
+  void round(HolePatches& found) const;
+  void add(const HolePatch& patch, const HoleNeighborhood& part, const HoleLoop& loop);
+  /// Describes the hole, with its first halfedge instead of a vertex.
+  OpenHole open_hole(const HoleLoop& loop) const;
+  bool is_too_large(const HoleLoop& loop) const;
+  std::vector<Index> vertices_of(const HoleLoop& loop) const;
 
   Mesh& mesh_;
   const FillOptions& options_;
-  /// Faces at each vertex of the input; still valid at other holes after a hole is filled, because
-  /// boundary loops share no vertices.
-  VertexFaces around_;
+  VertexFaces around_;                                   ///< faces of the input at each vertex
+  std::unordered_map<Index, std::vector<Index>> added_;  ///< faces of patches at vertices
   FaceSearch search_;
   std::vector<RowBlend> blends_;
   FillResult result_;
 };
 
-OpenHole Filler::open_hole(const Loop& loop) const {
-  OpenHole hole{halfedge_source(mesh_, loop.front()), loop.size(), 0};
+OpenHole Filler::open_hole(const HoleLoop& loop) const {
+  OpenHole hole{loop.front(), loop.size(), 0};
   for (const Index h : loop)
     hole.length +=
         (mesh_.positions[halfedge_target(mesh_, h)] - mesh_.positions[halfedge_source(mesh_, h)])
@@ -107,7 +95,7 @@ OpenHole Filler::open_hole(const Loop& loop) const {
   return hole;
 }
 
-bool Filler::is_too_large(const Loop& loop) const {
+bool Filler::is_too_large(const HoleLoop& loop) const {
   Vec3 low = mesh_.positions[halfedge_source(mesh_, loop.front())], high = low;
   for (const Index h : loop) {
     low = low.cwiseMin(mesh_.positions[halfedge_source(mesh_, h)]);
@@ -116,26 +104,10 @@ bool Filler::is_too_large(const Loop& loop) const {
   return loop.size() > options_.max_edges || (high - low).norm() > options_.max_diameter;
 }
 
-std::vector<Index> Filler::vertices_of(const Loop& loop) const {
+std::vector<Index> Filler::vertices_of(const HoleLoop& loop) const {
   std::vector<Index> vertices;
   for (const Index h : loop) vertices.push_back(halfedge_source(mesh_, h));
   return vertices;
-}
-
-/// True if some of the triangles intersect each other or a face of the mesh.
-bool Filler::intersect(std::span<const Triangle> triangles) const {
-  Mesh both = neighborhood_of(mesh_, search_.near(triangles)).mesh;
-  const std::size_t old_faces = both.faces.size();
-  // Each corner is a separate vertex, because the intersection test treats equal positions as one
-  // point.
-  for (const Triangle& triangle : triangles) {
-    const auto first = static_cast<Index>(both.positions.size());
-    both.positions.insert(both.positions.end(), triangle.begin(), triangle.end());
-    both.faces.push_back({first, first + 1, first + 2});
-  }
-  const std::vector<FacePair> pairs = find_intersections(both);
-  return std::any_of(pairs.begin(), pairs.end(),
-                     [&](const FacePair& pair) { return pair.second >= old_faces; });
 }
 
 /// True if the patch intersects itself or a nearby face of the mesh. Growing samples of the patch
@@ -151,9 +123,9 @@ bool Filler::crosses(const HolePatch& patch, const HoleNeighborhood& part) const
     sample.clear();
     for (std::size_t i = 0; i < count; ++i)
       sample.push_back(triangles[i * triangles.size() / count]);
-    if (intersect(sample)) return true;
+    if (search_.intersect(sample)) return true;
   }
-  return intersect(triangles);
+  return search_.intersect(triangles);
 }
 
 bool Filler::fits(const HolePatch& patch, const HoleNeighborhood& part, bool may_intersect) const {
@@ -169,7 +141,7 @@ bool Filler::fits(const HolePatch& patch, const HoleNeighborhood& part, bool may
   return may_intersect || !crosses(patch, part);
 }
 
-void Filler::add(const HolePatch& patch, const HoleNeighborhood& part, const Loop& loop) {
+void Filler::add(const HolePatch& patch, const HoleNeighborhood& part, const HoleLoop& loop) {
   const auto first_new = static_cast<Index>(mesh_.positions.size());
   const auto known = static_cast<Index>(part.vertices.size());
   const BorderBlend blend(mesh_, vertices_of(loop));
@@ -178,7 +150,10 @@ void Filler::add(const HolePatch& patch, const HoleNeighborhood& part, const Loo
     blends_.push_back(blend(point));
   }
   for (Face face : patch.faces) {
-    for (Index& v : face) v = v < known ? part.vertices[v] : first_new + v - known;
+    for (Index& v : face) {
+      v = v < known ? part.vertices[v] : first_new + v - known;
+      added_[v].push_back(static_cast<Index>(mesh_.faces.size()));
+    }
     mesh_.faces.push_back(face);
   }
   search_.update();
@@ -186,43 +161,90 @@ void Filler::add(const HolePatch& patch, const HoleNeighborhood& part, const Loo
   result_.new_faces += patch.faces.size();
 }
 
-void Filler::fill(const Loop& loop) {
+PatchKind Filler::finest() const {
+  return !options_.refine ? PatchKind::plain
+         : options_.fair  ? PatchKind::faired
+                          : PatchKind::refined;
+}
+
+/// Returns the faces around a hole. Sets `faces` to their indices.
+HoleNeighborhood Filler::part_around(const HoleLoop& loop, std::vector<Index>& faces) const {
+  faces = faces_around(mesh_, vertices_of(loop), [&](Index v, std::vector<Index>& all) {
+    if (v < blends_.size() - result_.new_vertices)
+      all.insert(all.end(), around_[v].begin(), around_[v].end());
+    if (const auto added = added_.find(v); added != added_.end())
+      all.insert(all.end(), added->second.begin(), added->second.end());
+  });
+  return neighborhood_of(mesh_, faces);
+}
+
+void Filler::fill(const std::vector<HoleLoop>& loops) {
+  if (loops.size() > 1 && fill_opening(loops)) return;
+  for (const HoleLoop& loop : loops) fill_loop(loop);
+}
+
+bool Filler::fill_opening(const std::vector<HoleLoop>& loops) {
+  HoleLoop all;
+  for (const HoleLoop& loop : loops) all.insert(all.end(), loop.begin(), loop.end());
+  if (is_too_large(all)) {
+    ++result_.holes;
+    result_.too_large.push_back(open_hole(all));
+    return true;
+  }
+  std::vector<Index> faces;
+  const HoleNeighborhood part = part_around(all, faces);
+  std::vector<HoleLoop> borders = loops;
+  for (HoleLoop& border : borders)
+    for (Index& h : border) h = halfedge_in_neighborhood(faces, h);
+  HolePatches found = finer_patches(part.mesh, triangulate_opening(part.mesh, borders), finest());
+  round(found);
+  if (!try_patches(all, part, found)) return false;
+  ++result_.holes;
+  return true;
+}
+
+void Filler::fill_loop(const HoleLoop& loop) {
   ++result_.holes;
   if (is_too_large(loop)) {
     result_.too_large.push_back(open_hole(loop));
     return;
   }
-  const std::vector<Index> faces =
-      faces_around(mesh_, vertices_of(loop), [&](Index v, std::vector<Index>& all) {
-        all.insert(all.end(), around_[v].begin(), around_[v].end());
-      });
-  const HoleNeighborhood part = neighborhood_of(mesh_, faces);
-  const Index border = halfedge_in_neighborhood(faces, loop.front());
+  std::vector<Index> faces;
+  const HoleNeighborhood part = part_around(loop, faces);
+  HoleLoop border;
+  for (const Index h : loop) border.push_back(halfedge_in_neighborhood(faces, h));
 
-  const PatchKind finest = !options_.refine ? PatchKind::plain
-                           : options_.fair  ? PatchKind::faired
-                                            : PatchKind::refined;
-  const HolePatches found = patches_of(part, border, finest, Search::delaunay);
+  const HolePatches found = patches_of(part, border, Search::delaunay);
   if (try_patches(loop, part, found)) return;
   if (!found.are_of_all && loop.size() <= most_edges_of_all &&
-      try_patches(loop, part, patches_of(part, border, finest, Search::all)))
+      try_patches(loop, part, patches_of(part, border, Search::all)))
     return;
   const bool crosses = try_patches(loop, part, found, true);
   if (crosses && options_.allow_self_intersections) return;
   (crosses ? result_.crossing : result_.flat).push_back(open_hole(loop));
 }
 
-/// Returns patches for a hole, with positions rounded to the type in which they will be written.
-HolePatches Filler::patches_of(const HoleNeighborhood& part, Index border, PatchKind finest,
-                               Search search) const {
-  HolePatches found = patch_hole(part.mesh, border, finest, search);
+/// Rounds positions to the type in which they will be written.
+void Filler::round(HolePatches& found) const {
   for (HolePatch& patch : found.patches)
     for (Vec3& point : patch.points) point = rounded_to(point, options_.coordinate);
+}
+
+HolePatches Filler::patches_of(const HoleNeighborhood& part, const HoleLoop& border,
+                               Search search) const {
+  const HoleNeighborhood apart = with_other_holes_apart(part.mesh, border);
+  const auto known = static_cast<Index>(apart.vertices.size());
+  const auto first_new = static_cast<Index>(part.vertices.size());
+  HolePatches found = patch_hole(apart.mesh, border.front(), finest(), search);
+  round(found);
+  for (HolePatch& patch : found.patches)
+    for (Face& face : patch.faces)
+      for (Index& v : face) v = v < known ? apart.vertices[v] : first_new + v - known;
   return found;
 }
 
-bool Filler::try_patches(const Loop& loop, const HoleNeighborhood& part, const HolePatches& found,
-                         bool may_intersect) {
+bool Filler::try_patches(const HoleLoop& loop, const HoleNeighborhood& part,
+                         const HolePatches& found, bool may_intersect) {
   for (const HolePatch& patch : found.patches) {
     if (!fits(patch, part, may_intersect)) continue;
     if (may_intersect && !options_.allow_self_intersections) return true;
@@ -252,14 +274,20 @@ FillResult Filler::finish() {
 FillResult fill_holes(Mesh& mesh, const FillOptions& options, const Progress& progress) {
   const ManifoldReport found = check_manifold(mesh);
   check(mesh, found, options);
-  const std::vector<Loop> loops = loops_of(mesh, found.border_halfedges);
-  if (loops.empty()) return {};
+  if (found.is_closed()) return {};
+  const std::vector<Face> before = mesh.faces;
+  std::vector<HoleLoop> loops = join_touching_holes(mesh, found.border_halfedges);
+  const bool any_touch = mesh.faces != before || !found.nonmanifold_vertices.empty();
   Filler filler(mesh, options);
-  for (const Loop& loop : loops) {
+  for (const std::vector<HoleLoop>& hole : group_flat_openings(mesh, std::move(loops))) {
     progress("filling holes");
-    filler.fill(loop);
+    filler.fill(hole);
   }
-  return filler.finish();
+  FillResult result = filler.finish();
+  if (any_touch) separate_open_holes(mesh, before);
+  for (std::vector<OpenHole>* holes : {&result.too_large, &result.crossing, &result.flat})
+    for (OpenHole& hole : *holes) hole.vertex = halfedge_source(mesh, hole.vertex);
+  return result;
 }
 
 }  // namespace transformesh

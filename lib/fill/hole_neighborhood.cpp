@@ -1,6 +1,10 @@
 #include "fill/hole_neighborhood.h"
 
 #include <algorithm>
+#include <numeric>
+
+#include "mesh/disjoint_sets.h"
+#include "mesh/umbrellas.h"
 
 namespace transformesh {
 
@@ -25,6 +29,32 @@ HoleNeighborhood neighborhood_of(const Mesh& mesh, const std::vector<Index>& fac
 Index halfedge_in_neighborhood(const std::vector<Index>& faces, Index halfedge) {
   const auto place = std::lower_bound(faces.begin(), faces.end(), halfedge / 3);
   return static_cast<Index>(3 * (place - faces.begin())) + halfedge % 3;
+}
+
+HoleNeighborhood with_other_holes_apart(const Mesh& mesh, const std::vector<Index>& loop) {
+  HoleNeighborhood apart{mesh, {}};
+  const Umbrellas umbrellas = find_umbrellas(mesh, Edges(mesh));
+  if (umbrellas.vertex_of.size() == mesh.positions.size()) {
+    apart.vertices.resize(mesh.positions.size());
+    std::iota(apart.vertices.begin(), apart.vertices.end(), Index{0});
+    return apart;
+  }
+  DisjointSets sets(umbrellas.vertex_of.size());
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    sets.join(umbrellas.of_corner[next_halfedge(loop[i])],
+              umbrellas.of_corner[loop[(i + 1) % loop.size()]]);
+  apart.mesh.positions.clear();
+  std::vector<Index> number(umbrellas.vertex_of.size());
+  for (Index u = 0; u < number.size(); ++u) {
+    number[u] =
+        sets.find(u) == u ? static_cast<Index>(apart.vertices.size()) : number[sets.find(u)];
+    if (sets.find(u) != u) continue;
+    apart.vertices.push_back(umbrellas.vertex_of[u]);
+    apart.mesh.positions.push_back(mesh.positions[umbrellas.vertex_of[u]]);
+  }
+  for (Index h = 0; h < umbrellas.of_corner.size(); ++h)
+    apart.mesh.faces[h / 3][h % 3] = number[umbrellas.of_corner[h]];
+  return apart;
 }
 
 std::vector<Index> faces_around(const Mesh& mesh, std::vector<Index> vertices,

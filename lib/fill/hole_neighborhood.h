@@ -22,6 +22,11 @@ HoleNeighborhood neighborhood_of(const Mesh& mesh, const std::vector<Index>& fac
 /// faces that were extracted.
 Index halfedge_in_neighborhood(const std::vector<Index>& faces, Index halfedge);
 
+/// Returns a neighborhood with one vertex for each umbrella, and the vertex of `mesh` for each of
+/// its vertices. Umbrellas that are neighbors across the hole share a vertex. The border halfedges
+/// of the hole are `loop`. A manifold does not change.
+HoleNeighborhood with_other_holes_apart(const Mesh& mesh, const std::vector<Index>& loop);
+
 /// Function that appends the faces at `vertex` to `faces`.
 using FacesOfVertex = std::function<void(Index vertex, std::vector<Index>& faces)>;
 

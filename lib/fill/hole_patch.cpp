@@ -195,4 +195,21 @@ HolePatches patch_hole(const Mesh& around, Index border_halfedge, PatchKind fine
   return result;
 }
 
+HolePatches finer_patches(const Mesh& around, const std::vector<Face>& plain, PatchKind finest) {
+  HolePatches result;
+  if (plain.empty()) return result;
+  result.patches.push_back({PatchKind::plain, {}, plain});
+  if (finest == PatchKind::plain) return result;
+  try {
+    Surface surface = surface_of(around);
+    std::vector<FaceNumber> faces;
+    for (const auto& [a, b, c] : plain)
+      faces.push_back(surface.add_face(Vertex(a), Vertex(b), Vertex(c)));
+    if (surface.number_of_faces() == around.faces.size() + plain.size())
+      add_finer_patches(surface, around, faces, finest, result.patches);
+  } catch (const CGAL::Failure_exception&) {  // rounding violated a precondition of CGAL
+  }
+  return result;
+}
+
 }  // namespace transformesh

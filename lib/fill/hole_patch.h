@@ -44,4 +44,8 @@ struct HolePatches {
 /// two rings of the hole.
 HolePatches patch_hole(const Mesh& around, Index border_halfedge, PatchKind finest, Search search);
 
+/// Returns the patch with the faces `plain`, and patches of each kind up to `finest` made of it.
+/// Returns no patch if `plain` is empty.
+HolePatches finer_patches(const Mesh& around, const std::vector<Face>& plain, PatchKind finest);
+
 }  // namespace transformesh

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "clean/stitch/border_edges.h"
+#include "clean/stitch/double_sided.h"
 #include "clean/stitch/split_border_edges.h"
 #include "clean/stitch/weld.h"
 #include "mesh/coordinate_spacing.h"
@@ -127,6 +128,19 @@ bool share_edge(const Face& f, const Face& g) {
   return std::ranges::count_if(f, is_shared) >= 2;
 }
 
+/// Returns the halfedges of an edge without those whose faces coincide with a face of an earlier
+/// one, as in copies of a body.
+std::vector<Index> distinct_sides(const Mesh& mesh, std::span<const Index> halfedges) {
+  std::vector<Index> sides, corners;
+  for (const Index h : halfedges) {
+    const Index corner = halfedge_source(mesh, previous_halfedge(h));
+    if (std::ranges::find(corners, corner) != corners.end()) continue;
+    corners.push_back(corner);
+    sides.push_back(h);
+  }
+  return sides;
+}
+
 /// True if the surface continues across at least half of the border edges that joining closes, and
 /// joining closes any. At the other edges the two faces fold back, as at the rim of a thin plate,
 /// or where bodies touch.
@@ -134,12 +148,12 @@ bool continues(const Mesh& before, const JoinedMesh& after) {
   const Edges edges(after.mesh);
   std::size_t straight = 0, folded = 0;
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const auto halfedges = edges.halfedges(e);
-    if (halfedges.size() != 2) continue;
-    const Index f = after.face_source[halfedges[0] / 3], g = after.face_source[halfedges[1] / 3];
+    const std::vector<Index> sides = distinct_sides(after.mesh, edges.halfedges(e));
+    if (sides.size() != 2) continue;
+    const Index f = after.face_source[sides[0] / 3], g = after.face_source[sides[1] / 3];
     if (share_edge(before.faces[f], before.faces[g])) continue;
-    const double cosine = direction_into_face(after.mesh, halfedges[0])
-                              .dot(direction_into_face(after.mesh, halfedges[1]));
+    const double cosine =
+        direction_into_face(after.mesh, sides[0]).dot(direction_into_face(after.mesh, sides[1]));
     ++(cosine > folded_back ? folded : straight);
   }
   return straight > 0 && straight >= folded;
@@ -148,7 +162,10 @@ bool continues(const Mesh& before, const JoinedMesh& after) {
 }  // namespace
 
 Cracks find_cracks(const Mesh& mesh) {
-  const Mesh exact = joined(mesh, 0).mesh;
+  // Copies of a body with cracks would hide its borders.
+  Mesh exact = joined(mesh, 0).mesh;
+  drop_copies(exact);
+  drop_reverses(exact);
   const BorderEdges borders(exact);
   if (borders.vertices().size() < 2) return {};
   const double diagonal = diagonal_of(bounding_box(mesh));

@@ -5,12 +5,15 @@
 #include "clean/open/borders.h"
 #include "clean/stitch/double_sided.h"
 #include "clean/stitch/outward_bodies.h"
+#include "geometry/numbers/predicates.h"
 #include "geometry/search/closest_point.h"
+#include "mesh/local_measures.h"
 #include "mesh/location_text.h"
 #include "repair/crack_tolerance.h"
 #include "repair/losses.h"
 #include "repair/repair_steps.h"
 #include "repair/shards.h"
+#include "support/counted.h"
 #include "support/number.h"
 #include "transformesh/check_mesh.h"
 #include "transformesh/compare.h"
@@ -104,7 +107,7 @@ void Repair::join() {
   crack_width_ = cracks.width;
   StitchOptions options;
   options.tolerance = cracks.tolerance;
-  options.one_side = needs_one_side(mesh);
+  options.one_side = needs_one_side(mesh, cracks.tolerance);
   options.orient = !options.one_side;
   options.outwards = options.drop_copies = true;
   const bool needs_none = cracks.tolerance == 0 && !options.one_side && is_oriented_manifold(mesh);
@@ -145,8 +148,14 @@ void Repair::drop_shards() {
 void Repair::refuse_unless_solid() const {
   const MeshCheck found = check();
   if (is_solid(found, options_.keep_open)) return;
+  const Mesh& mesh = steps_.mesh();
+  if (const std::vector<Index> flat = degenerate_faces(mesh); !flat.empty())
+    throw GoalError(counted(flat.size(), "face") +
+                    " without area cannot be removed, the first at " +
+                    rough_point_text(face_middle(mesh, flat[0])));
   if (found.problems.empty())
-    throw GoalError("the mesh has faces without area that cannot be removed");
+    throw GoalError(counted(found.manifold.touching_borders, "border edge") +
+                    " that coincide cannot be joined");
   throw GoalError(found.problems.front());
 }
 

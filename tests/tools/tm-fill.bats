@@ -37,6 +37,37 @@ setup() {
     <(numbers ball.off | tail -n +$((all + 1)) | head -n "$faces")
 }
 
+@test "holes that touch at a vertex are filled, also after tm-stitch" {
+  # Every fifth face is missing.
+  tm-shape sphere --faces 1000 --format off --no-provenance | awk '
+    NR == 1 { print; next }
+    NR == 2 { n = $1; for (i = 0; i < $2; ++i) kept += i % 5 != 0; print n, kept, 0; next }
+    NR <= n + 2 || (NR - n - 3) % 5 != 0' >holes.off
+  run tm-checkmanifold holes.off
+  assert_status 1
+  tm-fill holes.off -o direct.off
+  tm-stitch holes.off | tm-fill -o stitched.off
+  tm-convert --format stl holes.off | tm-fill --format off -o soup.off
+  for name in direct stitched soup; do
+    tm-checkmanifold --closed --intersections $name.off
+    tm-info --get volume $name.off | awk "{ exit !(\$1 > 4.1 && \$1 < 4.2) }"
+  done
+}
+
+@test "the missing side of a turned part is closed around a through hole" {
+  tm-shape box 6 4 1 -o block.off
+  tm-shape box 2 1 3 -o drill.off
+  tm-boolean difference block.off drill.off -o part.off
+  tm-select --box -9,-9,-0.6,9,9,-0.4 --invert part.off |
+    tm-transform --rotate 1,2,3,40 -o open.off
+  for command in 'tm-fill --no-fair' 'tm-fill --no-refine' tm-repair; do
+    $command open.off -o closed.off
+    tm-checkmanifold --closed --intersections closed.off
+    [ "$(tm-info --get genus closed.off)" -eq 1 ]
+    tm-info --get volume closed.off | awk '{ exit !($1 > 21.999 && $1 < 22.001) }'
+  done
+}
+
 @test "limits leave a hole open, which is reported with its place" {
   run --separate-stderr tm-fill --max-edges 5 open.ply -o still.ply
   assert_status 0

@@ -255,3 +255,26 @@ cracked() {
 @test "all kinds of damage: at least nine in ten are right" {
   "$tm_build/bin-test/repair_grid" --seeds 1 >table || fail "$(cat table)"
 }
+
+@test "two copies of a soup with rounded coordinates become one solid" {
+  # Each corner of each face has its own rounding error.
+  tm-shape torus --faces 600 --format off --no-provenance | awk '
+    NR <= 2 { if (NR == 2) { n = $1; f = $2 } next }
+    NR <= n + 2 { x[NR - 3] = $1; y[NR - 3] = $2; z[NR - 3] = $3; next }
+    { face[m++] = $2 " " $3 " " $4 }
+    END {
+      print "OFF"; print 6 * f, 2 * f, 0
+      for (i = 0; i < 2 * m; ++i) {
+        split(face[i % m], v, " ")
+        for (k = 1; k <= 3; ++k) {
+          e = ((3 * i + k) * 7919 % 1000) * 1e-9
+          printf "%.12f %.12f %.12f\n", x[v[k]] + e, y[v[k]] - e, z[v[k]] + e
+        }
+      }
+      for (i = 0; i < 2 * m; ++i) print 3, 3 * i, 3 * i + 1 + (i % 3 == 0), 3 * i + 2 - (i % 3 == 0)
+    }' >twice.off
+  tm-repair twice.off -o solid.off
+  tm-checkmanifold --closed --intersections solid.off
+  [ "$(tm-info --get genus solid.off)" -eq 1 ]
+  tm-info --get volume solid.off | awk '{ exit !($1 > 1.886 && $1 < 1.89) }'
+}

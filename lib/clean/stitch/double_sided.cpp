@@ -62,9 +62,9 @@ void visit_double_sided(const std::vector<Face>& faces, const Visit& visit) {
   });
 }
 
-// Returns the faces of the mesh after vertices at equal positions are merged.
-std::vector<Face> welded_faces(const Mesh& mesh) {
-  const std::vector<Index> joined = weld_positions(mesh.positions, 0);
+// Returns the faces of the mesh after vertices within the tolerance are merged.
+std::vector<Face> welded_faces(const Mesh& mesh, double tolerance) {
+  const std::vector<Index> joined = weld_positions(mesh.positions, tolerance);
   std::vector<Face> faces = mesh.faces;
   for (Face& face : faces)
     for (Index& v : face) v = joined[v];
@@ -94,18 +94,53 @@ bool has_double_part(const std::vector<Face>& faces, const Edges& edges) {
   return false;
 }
 
+/// Returns 1 for each face of a wall between bodies. `original` has the first of copies of each
+/// face that has copies, or no_index. A wall is a connected set of copies that ends only at edges
+/// with an even number of other faces: without the wall, these faces are neighbors. Other copies
+/// end at edges with an odd number of other faces.
+std::vector<char> walls(const Mesh& mesh, const std::vector<Index>& original) {
+  std::vector<char> is_wall(mesh.faces.size(), 0);
+  DisjointSets parts(mesh.faces.size());
+  std::vector<char> ends_even(mesh.faces.size(), 0), ends_odd = ends_even;
+  const Edges edges(without_collapsed(mesh.faces), mesh.positions.size());
+  const auto visit_edges = [&](const auto& visit) {
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      std::vector<Index> copies;
+      for (const Index h : edges.halfedges(e))
+        if (original[h / 3] != no_index) copies.push_back(original[h / 3]);
+      const std::size_t others = edges.halfedges(e).size() - copies.size();
+      std::ranges::sort(copies);
+      copies.erase(std::unique(copies.begin(), copies.end()), copies.end());
+      if (!copies.empty()) visit(copies, others);
+    }
+  };
+  visit_edges([&](const std::vector<Index>& copies, std::size_t others) {
+    if (others == 0 && copies.size() == 2) parts.join(copies[0], copies[1]);
+  });
+  visit_edges([&](const std::vector<Index>& copies, std::size_t others) {
+    for (const Index f : copies)
+      if (others > 0) (others % 2 == 0 ? ends_even : ends_odd)[parts.find(f)] = 1;
+  });
+  for (Index f = 0; f < is_wall.size(); ++f) {
+    if (original[f] == no_index) continue;
+    const Index part = parts.find(original[f]);
+    is_wall[f] = ends_even[part] && !ends_odd[part] ? 1 : 0;
+  }
+  return is_wall;
+}
+
 }  // namespace
 
 std::size_t count_double_sided(const Mesh& mesh) {
-  const std::vector<Face> faces = welded_faces(mesh);
+  const std::vector<Face> faces = welded_faces(mesh, 0);
   std::size_t count = 0;
   visit_double_sided(
       faces, [&](auto first, auto last) { count += static_cast<std::size_t>(last - first); });
   return count;
 }
 
-bool needs_one_side(const Mesh& mesh) {
-  Mesh welded{mesh.positions, without_collapsed(welded_faces(mesh)), {}, {}};
+bool needs_one_side(const Mesh& mesh, double tolerance) {
+  Mesh welded{mesh.positions, without_collapsed(welded_faces(mesh, tolerance)), {}, {}};
   const Edges edges(welded);
   if (has_double_part(welded.faces, edges)) return true;
   Mesh both = welded;
@@ -116,7 +151,7 @@ bool needs_one_side(const Mesh& mesh) {
 }
 
 bool one_side_is_open(const Mesh& mesh) {
-  Mesh one{mesh.positions, welded_faces(mesh), {}, {}};
+  Mesh one{mesh.positions, welded_faces(mesh, 0), {}, {}};
   drop_reverses(one);
   const Edges edges(without_collapsed(one.faces), one.positions.size());
   for (std::size_t e = 0; e < edges.size(); ++e)
@@ -132,15 +167,23 @@ std::size_t drop_reverses(Mesh& mesh) {
   return drop_faces(mesh, is_dropped);
 }
 
-std::size_t drop_copies(Mesh& mesh) {
-  std::vector<char> is_dropped(mesh.faces.size(), 0);
+std::size_t drop_copies(Mesh& mesh, bool drops_walls) {
+  std::vector<Index> original(mesh.faces.size(), no_index);
   visit_coincident(mesh.faces, [&](auto first, auto last) {
-    std::array<bool, 2> is_met{};
+    std::array<Index, 2> firsts{no_index, no_index};
     for (; first != last; ++first) {
-      is_dropped[first->face] = is_met[first->is_odd] ? 1 : 0;
-      is_met[first->is_odd] = true;
+      Index& of_direction = firsts.at(first->is_odd);
+      if (of_direction == no_index) {
+        of_direction = first->face;
+        continue;
+      }
+      original[first->face] = original[of_direction] = of_direction;
     }
   });
+  std::vector<char> is_dropped(mesh.faces.size(), 0);
+  if (drops_walls) is_dropped = walls(mesh, original);
+  for (Index f = 0; f < original.size(); ++f)
+    if (original[f] != no_index && original[f] != f) is_dropped[f] = 1;
   return drop_faces(mesh, is_dropped);
 }
 

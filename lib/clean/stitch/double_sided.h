@@ -15,12 +15,12 @@ namespace transformesh {
 std::size_t count_double_sided(const Mesh& mesh);
 
 /// True if the mesh is double-sided: it encloses its volume only after one of two coincident faces
-/// with opposite orientations (reverses) is removed. Vertices at equal positions count as merged.
+/// with opposite orientations (reverses) is removed. Vertices within `tolerance` count as merged.
 /// Otherwise such faces are walls between bodies that touch, and winding numbers do not count them.
 /// One side must be removed in two cases. Either all faces of a connected part coincide with
 /// others, some with opposite orientations. Or fewer edges have an odd number of faces if only one
 /// of coincident faces stays, also compared with the mesh without copies of the same orientation.
-bool needs_one_side(const Mesh& mesh);
+bool needs_one_side(const Mesh& mesh, double tolerance = 0);
 
 /// True if the mesh would have a border after two steps: vertices at equal positions are merged,
 /// and drop_reverses() keeps one of coincident faces with opposite orientations. Does not change
@@ -33,10 +33,11 @@ bool one_side_is_open(const Mesh& mesh);
 /// faces.
 std::size_t drop_reverses(Mesh& mesh);
 
-/// Keeps only the first of coincident faces with the same orientation, and drops the others. Faces
-/// coincide if they have the same vertex indices. Face columns are updated; vertices stay. Returns
-/// the number of dropped faces.
-std::size_t drop_copies(Mesh& mesh);
+/// Keeps only the first of coincident faces with the same orientation, and drops the others. With
+/// `drops_walls`, drops all of them if they are a wall between bodies, of which some are inside
+/// out: their other faces are neighbors without the wall. Faces coincide if they have the same
+/// vertex indices. Face columns are updated; vertices stay. Returns the number of dropped faces.
+std::size_t drop_copies(Mesh& mesh, bool drops_walls = false);
 
 /// Reverses the faces of closed components with negative volume. Returns the number of reversed
 /// faces.

@@ -10,6 +10,7 @@
 #include "geometry/ray_cast_winding.h"
 #include "geometry/search/bvh.h"
 #include "geometry/winding_hierarchy.h"
+#include "mesh/local_measures.h"
 #include "mesh/surface_columns.h"
 #include "transformesh/components.h"
 #include "transformesh/measure.h"
@@ -94,16 +95,21 @@ Mesh Bodies::mesh_of(Index part) const {
   return result;
 }
 
-// Calls `vote` for about `voters` vertices of component `inner`. True if `vote` returns true more
-// often than false.
+// Calls `vote` for about `voters` vertices of component `inner`. If no vertex has a vote, as in a
+// cavity that touches its body at each vertex, calls it for the middles of their faces. True if
+// `vote` returns true more often than false.
 bool Bodies::most_vote(Index inner,
                        const std::function<std::optional<bool>(const Vec3&)>& vote) const {
   std::size_t yes = 0, no = 0;
   const std::size_t stride = std::max<std::size_t>(1, faces_[inner].size() / voters);
-  for (std::size_t i = 0; i < faces_[inner].size(); i += stride) {
-    const auto answer = vote(mesh_.positions[mesh_.faces[faces_[inner][i]][0]]);
-    if (answer) ++(*answer ? yes : no);
-  }
+  const auto ask = [&](const auto& point_of) {
+    for (std::size_t i = 0; i < faces_[inner].size(); i += stride) {
+      const auto answer = vote(point_of(faces_[inner][i]));
+      if (answer) ++(*answer ? yes : no);
+    }
+  };
+  ask([&](Index face) { return mesh_.positions[mesh_.faces[face][0]]; });
+  if (yes + no == 0) ask([&](Index face) { return face_middle(mesh_, face); });
   return yes > no;
 }
 
@@ -126,6 +132,8 @@ std::vector<std::vector<Index>> Bodies::containers() const {
     std::optional<RayCastWinding> winding;
     Mesh outer_mesh;
     for_each_within(outer, [&](Index inner) {
+      // A copy of a component is not inside of it.
+      if (is_closed(inner) && std::abs(volume(inner)) >= std::abs(volume(outer))) return;
       if (!winding) {
         outer_mesh = mesh_of(outer);
         winding.emplace(outer_mesh);

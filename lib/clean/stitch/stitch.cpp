@@ -16,8 +16,8 @@
 #include "clean/stitch/split_singular_edges.h"
 #include "clean/stitch/weld.h"
 #include "mesh/drop_faces.h"
+#include "mesh/separate_umbrellas.h"
 #include "mesh/surface_columns.h"
-#include "mesh/umbrellas.h"
 
 namespace transformesh {
 namespace {
@@ -51,51 +51,6 @@ void count_open_edges(const Edges& edges, const std::vector<Index>& opposite,
     if (open == 1) ++result.border_edges;
     if (open > 1) ++result.misoriented_edges;
   }
-}
-
-// Appends duplicates of vertices, and removes vertices that no face uses. `copies` has the original
-// vertex of each duplicate; the faces already refer to the duplicates by indices after those of the
-// mesh's vertices. The order of vertices does not change.
-void drop_unused_vertices(Mesh& mesh, const std::vector<Index>& copies) {
-  std::vector<Index> renumbered(mesh.positions.size() + copies.size(), no_index);
-  for (const Face& face : mesh.faces) {
-    for (const Index v : face) renumbered[v] = 0;
-  }
-  std::vector<Index> rows;
-  std::vector<Vec3> positions;
-  for (Index v = 0; v < renumbered.size(); ++v) {
-    if (renumbered[v] == no_index) continue;
-    renumbered[v] = static_cast<Index>(rows.size());
-    rows.push_back(v < mesh.positions.size() ? v : copies[v - mesh.positions.size()]);
-    positions.push_back(mesh.positions[rows.back()]);
-  }
-  mesh.positions = std::move(positions);
-  mesh.vertex_columns = mesh.vertex_columns.select(rows);
-  for (Face& face : mesh.faces) {
-    for (Index& v : face) v = renumbered[v];
-  }
-}
-
-// Gives each umbrella (faces around a vertex that are connected across edges) its own vertex (paper
-// 3.3.1). The first umbrella at a vertex keeps the vertex. The others get duplicates, which follow
-// all vertices. Returns the number of duplicates.
-std::size_t separate_umbrellas(Mesh& mesh, const Umbrellas& umbrellas) {
-  std::vector<char> is_taken(mesh.positions.size(), 0);
-  RawVector<Index> vertex_of = umbrellas.vertex_of;
-  std::vector<Index> copies;
-  for (Index& v : vertex_of) {
-    if (!is_taken[v]) {
-      is_taken[v] = 1;
-      continue;
-    }
-    copies.push_back(v);
-    v = static_cast<Index>(mesh.positions.size() + copies.size() - 1);
-  }
-  for (Index h = 0; h < umbrellas.of_corner.size(); ++h) {
-    mesh.faces[h / 3][h % 3] = vertex_of[umbrellas.of_corner[h]];
-  }
-  drop_unused_vertices(mesh, copies);
-  return copies.size();
 }
 
 std::vector<Index> pair_halfedges(const Mesh& mesh, const Edges& edges) {
@@ -158,7 +113,7 @@ StitchResult stitch(Mesh& mesh, const StitchOptions& options) {
   result.joined_vertices = join_vertices(mesh, options.tolerance);
   if (options.tolerance > 0) result.split_borders = split_borders(mesh, options.tolerance);
   if (options.one_side) result.dropped_reverses = drop_reverses(mesh);
-  if (options.drop_copies) result.dropped_copies = drop_copies(mesh);
+  if (options.drop_copies) result.dropped_copies = drop_copies(mesh, options.orient);
   if (options.orient || options.one_side)
     result.reversed_faces += orient_faces(mesh, options.outwards);
   const std::vector<Face> all_faces = mesh.faces;

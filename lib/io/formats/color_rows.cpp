@@ -10,6 +10,9 @@ namespace transformesh {
 void ColorRows::set(std::size_t row, const Color& color, std::size_t channels) {
   colors_.resize(row, no_color);
   colors_.push_back(color);
+  is_decimal_.resize(row, 0);
+  is_decimal_.push_back(next_is_decimal_ ? 1 : 0);
+  next_is_decimal_ = false;
   const auto begin = colors_.back().begin(), end = begin + static_cast<std::ptrdiff_t>(channels);
   if (std::none_of(begin, end, [](double value) { return std::isnan(value); })) return;
   std::fill(begin, end, 0.0);
@@ -17,11 +20,32 @@ void ColorRows::set(std::size_t row, const Color& color, std::size_t channels) {
 }
 
 void ColorRows::see_word(std::string_view word) {
-  is_integer_ = is_integer_ && word.find_first_of(".eE") == std::string_view::npos;
+  next_is_decimal_ = next_is_decimal_ || word.find_first_of(".eE") != std::string_view::npos;
+  is_integer_ = is_integer_ && !next_is_decimal_;
+}
+
+void ColorRows::scale_integers() {
+  const auto largest = [](const Color& color) {
+    double most = 0;
+    for (const double value : color) most = std::fmax(most, value);
+    return most;
+  };
+  double most = 0;  // the largest value in rows with decimals
+  for (std::size_t row = 0; row < is_decimal_.size(); ++row)
+    if (is_decimal_[row] != 0) most = std::max(most, largest(colors_[row]));
+  if (!(most > 0 && most <= 1)) return;
+  for (std::size_t row = 0; row < is_decimal_.size(); ++row) {
+    Color& color = colors_[row];
+    const double size = largest(color);
+    if (is_decimal_[row] != 0 || std::isnan(color[1]) || size <= 1 || size > 255) continue;
+    for (double& value : color) value /= 255;
+    ++scaled_rows_;
+  }
 }
 
 void ColorRows::add_columns(std::size_t rows, Columns& columns) {
   if (colors_.empty()) return;
+  scale_integers();
   colors_.resize(rows, no_color);
   const Scalar type = type_of_values();
   if (!is_any(1)) {

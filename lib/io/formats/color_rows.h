@@ -20,8 +20,9 @@ class ColorRows {
   /// Sets the color of a row. Call in order of rows; rows that are skipped have no color. If one of
   /// the first `channels` values is NaN, the color is counted as bad and becomes zero.
   void set(std::size_t row, const Color& color, std::size_t channels);
-  /// Must be called with the text of each number. If a number has a decimal point or an exponent,
-  /// all colors become floating point.
+  /// Must be called with the text of each number, before set(). If a number has a decimal point or
+  /// an exponent, all colors become floating point. If such rows reach only up to 1, integers up to
+  /// 255 in other rows are divided by 255, because Geomview scales each row by its numbers.
   void see_word(std::string_view word);
 
   /// Adds the columns red green blue (alpha), or color_index if rows have only one number. Integer
@@ -31,15 +32,20 @@ class ColorRows {
   void add_columns(std::size_t rows, Columns& columns);
   std::size_t missing_rows() const;
   std::size_t bad_rows() const { return bad_rows_; }
+  std::size_t scaled_rows() const { return scaled_rows_; }
 
  private:
   bool is_any(std::size_t channel) const;
   Scalar type_of_values() const;
+  void scale_integers();
   void add_column(const char* name, Scalar type, std::size_t channel, double absent,
                   Columns& columns) const;
 
   std::vector<Color> colors_;
+  std::vector<char> is_decimal_;  ///< for each row, 1 if one of its numbers is no integer
+  bool next_is_decimal_ = false;
   bool is_integer_ = true;
+  std::size_t scaled_rows_ = 0;
   std::size_t bad_rows_ = 0;
 };
 

@@ -97,4 +97,15 @@ void note_zeroed(std::size_t count, const std::string& what, const std::string& 
                   (count == 1 ? " that is not finite becomes 0" : " that are not finite become 0"));
 }
 
+void note_rounded_integers(const std::vector<double>& values, const std::string& what,
+                           const std::string& format, std::vector<std::string>& notes) {
+  constexpr double limit = 0x1p53;  // doubles hold all smaller integers
+  const auto count =
+      std::ranges::count_if(values, [&](double value) { return std::abs(value) >= limit; });
+  if (count == 0) return;
+  notes.push_back(format + ": " + counted(static_cast<std::size_t>(count), "integer") + " of " +
+                  what + (count == 1 ? " is" : " are") +
+                  " 2^53 or larger, and may be rounded: numbers are kept as doubles");
+}
+
 }  // namespace transformesh

@@ -1,5 +1,5 @@
 /// Handles non-finite values in files, which occur in scans: drops them and counts them, or rejects
-/// the file if reading is strict.
+/// the file if reading is strict. Also counts integers that doubles may not hold.
 #pragma once
 
 #include <cstdint>
@@ -26,5 +26,10 @@ void zero_values_not_finite(Columns& columns, const Source& source, const std::s
 /// Adds a note such as "ply: 1 normal of a vertex is not a finite number and becomes 0".
 void note_zeroed(std::size_t count, const std::string& what, const std::string& format,
                  std::vector<std::string>& notes);
+
+/// Adds a note if integers of 64 bits, which were converted to doubles, are so large that they may
+/// have been rounded. `what` names the property.
+void note_rounded_integers(const std::vector<double>& values, const std::string& what,
+                           const std::string& format, std::vector<std::string>& notes);
 
 }  // namespace transformesh

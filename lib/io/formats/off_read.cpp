@@ -125,6 +125,7 @@ class OffReader {
     zero_values_not_finite(mesh.vertex_columns, source_, "vertex", "off", result_.notes);
     vertex_colors_.add_columns(count, mesh.vertex_columns);
     note_zeroed(vertex_colors_.bad_rows(), "color", "off", result_.notes);
+    note_scaled(vertex_colors_);
     note_zeroed(bad_texture_, "texture coordinate", "off", result_.notes);
     for (Column& column : texture_.columns) {
       mesh.vertex_columns.columns.push_back(std::move(column));
@@ -192,6 +193,7 @@ class OffReader {
     Mesh& mesh = result_.document.mesh;
     face_colors_.add_columns(polygons_.rows(), mesh.face_columns);
     note_zeroed(face_colors_.bad_rows(), "color", "off", result_.notes);
+    note_scaled(face_colors_);
     polygons_.keep_polygons(source_.keeps_polygons);
     polygons_.move_into(mesh, "off", result_.notes);
   }
@@ -218,6 +220,13 @@ class OffReader {
 
   std::string row_name(const char* what) const {
     return std::string(what) + ' ' + std::to_string(row_);
+  }
+
+  void note_scaled(const ColorRows& colors) {
+    if (colors.scaled_rows() > 0)
+      result_.notes.push_back("off: " + counted(colors.scaled_rows(), "color") +
+                              " of integers up to 255 divided by 255, because others have "
+                              "decimals up to 1");
   }
 
   void note_rest() {

@@ -59,6 +59,11 @@ class PcdReader {
     } else {
       read_bytes();
     }
+    for (Field& field : fields_) {
+      if (field.kind != 'F')
+        note_rounded_integers(field.values, "field " + in_quotes(field.name), "pcd", result_.notes);
+      if (!field.is_color()) fit_to_type(field);
+    }
     make_mesh();
     return std::move(result_);
   }
@@ -140,12 +145,10 @@ class PcdReader {
         }
       rows_.end_row([&] { return "point " + std::to_string(point); });
     }
-    for (Field& field : fields_)
-      if (!field.is_color()) fit_to_type(field);
   }
 
-  /// Converts the numbers of a field in a text file to the field's type, or to double if a number
-  /// does not fit.
+  /// Converts the numbers of a field, which may come from text, to the field's type, or to double
+  /// if a number does not fit.
   static void fit_to_type(Field& field) {
     bool is_held = true;
     with_type(field, [&](auto zero) {

@@ -53,6 +53,8 @@ class Converter {
         source_.fail("the array " + in_quotes(array.name) + " has " +
                      counted(array.values.size(), "number") + ", but " + there_are(rows, element) +
                      " of " + counted(array.components, "component"));
+      if (array.has_long_integers)
+        note_rounded_integers(array.values, "array " + in_quotes(array.name), "vtk", result_.notes);
       add_array(array, rows, columns);
     }
   }
@@ -175,6 +177,7 @@ void set_type(bool is_floating, bool is_signed, std::size_t bytes, VtkArray& arr
       for (double& value : array.values) value = round_to_single(value);
     return;
   }
+  array.has_long_integers = bytes == 8;
   Scalar type = Scalar::int32;
   if (bytes == 1) type = is_signed ? Scalar::int8 : Scalar::uint8;
   if (bytes == 2) type = is_signed ? Scalar::int16 : Scalar::uint16;

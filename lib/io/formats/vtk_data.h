@@ -16,6 +16,7 @@ struct VtkArray {
   Scalar type = Scalar::float32;
   std::size_t components = 1;
   std::vector<double> values;
+  bool has_long_integers = false;  ///< true if the file has integers of 64 bits
 };
 
 /// Cells of one kind, such as polygons. The vertex indices of cell i are from offsets[i] to

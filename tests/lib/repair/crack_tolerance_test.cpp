@@ -46,6 +46,28 @@ TEST_CASE("the measured width is that of the cracks, and the tolerance closes th
   }
 }
 
+TEST_CASE("copies of a body with cracks hide no cracks, whatever their orientation") {
+  const Mesh solid = test::icosphere(3);
+  for (const Mesh& copy : {solid, test::reversed(solid)}) {
+    Mesh mesh = jittered(test::joined(solid, copy), 1e-6);
+    const Cracks cracks = find_cracks(mesh);
+    CHECK(cracks.width > 1e-7);
+    CHECK(cracks.width < 1.8e-6);
+    CHECK(cracks.vertices == mesh.positions.size());
+  }
+  // One half of both copies is displaced, so that equal edges have two faces.
+  Mesh halves = solid;
+  for (Face& face : halves.faces) {
+    if (solid.positions[face[0]].x() < 0) continue;
+    for (Index& v : face) {
+      halves.positions.push_back(solid.positions[v] + Vec3(1e-6, 1e-6, 0));
+      v = static_cast<Index>(halves.positions.size() - 1);
+    }
+  }
+  CHECK(find_cracks(halves).width > 1e-7);
+  CHECK(find_cracks(test::joined(halves, halves)).width == find_cracks(halves).width);
+}
+
 TEST_CASE("a few faces as short as the cracks are wide do not hide the cracks") {
   Mesh solid = test::icosphere(3);
   const std::size_t faces = solid.faces.size();

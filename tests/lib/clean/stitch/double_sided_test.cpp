@@ -49,6 +49,38 @@ TEST_CASE("one side of a double-sided solid is the solid") {
     CHECK(component.volume == doctest::Approx(volume(ball)));
 }
 
+TEST_CASE("bodies that share faces become one, also if one is inside out") {
+  const Mesh first = test::cube(), second = test::cuboid({1, 0, 0}, {2, 1, 1});
+  for (const bool is_inward : {false, true}) {
+    const Mesh both = test::joined(first, is_inward ? test::reversed(second) : second);
+    Mesh mesh = test::soup_of(both);
+    StitchOptions options;
+    options.orient = options.drop_copies = options.outwards = true;
+    const StitchResult result = stitch(mesh, options);
+    CHECK(result.dropped_copies == (is_inward ? 4 : 0));
+    CHECK(result.border_edges == 0);
+    CHECK(volume(mesh) == doctest::Approx(2));
+  }
+  // A copied face of a single body is not a wall.
+  Mesh mesh = first;
+  mesh.faces.push_back(mesh.faces[3]);
+  CHECK(drop_copies(mesh, true) == 1);
+  CHECK(mesh.faces == first.faces);
+  mesh = test::joined(first, first);
+  for (Face& face : mesh.faces)
+    for (Index& v : face) v %= 8;
+  CHECK(drop_copies(mesh, true) == first.faces.size());
+}
+
+TEST_CASE("a double-sided model with cracks is recognized with their tolerance") {
+  Mesh mesh = double_sided(test::icosphere(2), 1);
+  CHECK(needs_one_side(mesh));
+  test::Random random(2);
+  for (Vec3& p : mesh.positions) p += random.point(-1e-7, 1e-7);
+  CHECK_FALSE(needs_one_side(mesh));
+  CHECK(needs_one_side(mesh, 1e-6));
+}
+
 TEST_CASE("a surface with one side only stays") {
   Mesh mesh = test::joined(test::icosphere(1), test::moved(test::icosphere(1), {3, 0, 0}));
   CHECK(count_double_sided(mesh) == 0);

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "helpers/mesh_facts.h"
@@ -49,6 +50,31 @@ TEST_CASE("a cavity whose vertices are in line with edges of the body stays a ca
   mesh = test::joined(mesh, test::reversed(make_shape(options)));
   CHECK_FALSE(has_inward_bodies(mesh));
   CHECK(turn_bodies_outwards(mesh) == 0);
+}
+
+TEST_CASE("a cavity that touches the body at each of its vertices stays a cavity") {
+  ShapeOptions options = test::shape("box", 0, {"2", "2", "2"});
+  options.edge = 1;
+  Mesh octahedron;
+  octahedron.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  octahedron.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                      {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  const Mesh body = test::joined(make_shape(options), test::reversed(octahedron));
+  CHECK_FALSE(has_inward_bodies(body));
+  Mesh mesh = test::reversed(body);
+  CHECK(turn_bodies_outwards(mesh) == body.faces.size());
+  CHECK(volume_of(mesh) == doctest::Approx(8 - 4.0 / 3));
+}
+
+TEST_CASE("copies of a body that is inside out are both reversed, in any position") {
+  for (int i = 0; i < 10; ++i) {
+    const Eigen::AngleAxisd turn(0.3 + i, Vec3(1, 2, 3).normalized());
+    Mesh copy = test::reversed(test::cube());
+    for (Vec3& p : copy.positions) p = turn * p;
+    Mesh mesh = test::joined(copy, copy);
+    CHECK(turn_bodies_outwards(mesh) == mesh.faces.size());
+    CHECK(volume_of(mesh) == doctest::Approx(2));
+  }
 }
 
 TEST_CASE("a body in a body, and a cavity in a cavity, are found") {

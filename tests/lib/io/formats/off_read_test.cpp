@@ -86,6 +86,18 @@ TEST_CASE("off: colors of faces as integers, as decimals and as an index") {
   const std::string decimals = start + "3 0 1 2 1.0 0.0 0.25\n3 0 1 3 1.0 1.0 1.0\n";
   CHECK(rewritten(decimals) == decimals);
 
+  // Integers and decimals in one file: each row has its scale.
+  const ReadResult mixed = read_mesh(
+      "OFF\n4 3 0\n" + points + "3 0 1 2 0.5 0 1\n3 0 1 3 255 51 0\n3 0 2 3 1 0 1\n", "input");
+  CHECK(column(mixed.document.mesh.face_columns, "red").values == std::vector<double>{0.5, 1, 1});
+  CHECK(column(mixed.document.mesh.face_columns, "green").values == std::vector<double>{0, 0.2, 0});
+  CHECK(has_note(
+      mixed.notes,
+      "off: 1 color of integers up to 255 divided by 255, because others have decimals up to 1"));
+  // Decimals up to 255.
+  mesh = faces("3 0 1 2 127.5 0 1\n3 0 1 3 255 51 0\n");
+  CHECK(column(mesh.face_columns, "red").values == std::vector<double>{127.5, 255});
+
   mesh = faces("3 0 1 2 7\n3 0 1 3 8\n");
   CHECK(column(mesh.face_columns, "color_index").values == std::vector<double>{7, 8});
 }

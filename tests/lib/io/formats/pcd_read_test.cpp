@@ -44,6 +44,24 @@ TEST_CASE("pcd: binary points") {
                  "2 points, but only 27 bytes follow"));
 }
 
+TEST_CASE("pcd: integers that doubles may not hold are reported, in text and in bytes") {
+  const std::string head =
+      "VERSION 0.7\nFIELDS x y z id\nSIZE 4 4 4 8\nTYPE F F F I\nCOUNT 1 1 1 1\nWIDTH 2\nHEIGHT "
+      "1\n";
+  const std::string note =
+      "pcd: 1 integer of field 'id' is 2^53 or larger, and may be rounded: numbers are kept as "
+      "doubles";
+  const auto text = [&](const char* id) {
+    return read_mesh(head + "DATA ascii\n0 0 0 " + id + "\n1 2 3 5\n", "input");
+  };
+  CHECK(has_note(text("9007199254740993").notes, note));
+  CHECK(has_note(text("-9007199254740993").notes, note));
+  CHECK(text("9007199254740991").notes.empty());
+  Bytes bytes;
+  bytes.f32(1).f32(2).f32(3).u32(1).u32(1U << 21U).f32(5).f32(6).f32(7).u32(8).u32(0);
+  CHECK(has_note(read_mesh(head + "DATA binary\n" + bytes.str(), "input").notes, note));
+}
+
 TEST_CASE("pcd: points compressed by LZF, field by field") {
   // The 28 bytes are x of both points, then y, z and i. z equals y, and is thus packed as a
   // reference to the bytes 8 before.

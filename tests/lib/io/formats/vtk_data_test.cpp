@@ -33,6 +33,21 @@ TEST_CASE("vtk data: rows of cells go to the triangles that cells become") {
   CHECK(column(mesh.face_columns, "id").values == std::vector<double>{6, 6, 7, 7});
 }
 
+TEST_CASE("vtk data: integers that doubles may not hold are reported") {
+  for (const std::size_t bytes : {std::size_t{4}, std::size_t{8}}) {
+    VtkPiece given = piece();
+    VtkArray& array = given.point_arrays.emplace_back();
+    array.name = "id";
+    array.values = {1, 2, 0x1p53, 3};
+    set_type(false, true, bytes, array);
+    const ReadResult result = mesh_of(given);
+    CHECK(column(result.document.mesh.vertex_columns, "id").values[2] == 0x1p53);
+    CHECK(has_note(result.notes,
+                   "vtk: 1 integer of array 'id' is 2^53 or larger, and may be rounded: numbers "
+                   "are kept as doubles") == (bytes == 8));
+  }
+}
+
 TEST_CASE("vtk data: names that PLY cannot have, and arrays that are too wide") {
   VtkPiece given = piece();
   given.point_arrays.push_back({"Point Ids", "", Scalar::int32, 1, {1, 2, 3, 4}});

@@ -1,0 +1,135 @@
+/// Flat openings with several border loops, compared with the areas and bodies of which they are
+/// part.
+#include "fill/flat_openings.h"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "helpers/shapes.h"
+#include "transformesh/fill.h"
+#include "transformesh/intersect.h"
+#include "transformesh/manifold.h"
+#include "transformesh/measure.h"
+
+namespace transformesh {
+namespace {
+
+/// Returns the walls of a box without top and bottom. With `is_inward`, they are oriented inwards.
+Mesh walls(const Vec3& low, const Vec3& high, bool is_inward) {
+  Mesh mesh = test::cuboid(low, high);
+  mesh.faces.erase(mesh.faces.begin(), mesh.faces.begin() + 4);
+  return is_inward ? test::reversed(mesh) : mesh;
+}
+
+/// Returns a plate with two rectangular holes, without top and bottom.
+Mesh plate() {
+  const Mesh first = walls({1, 1, 0}, {3, 4, 1}, true), second = walls({5, 2, 0}, {6, 3, 1}, true);
+  return test::joined(walls({0, 0, 0}, {8, 5, 1}, false), test::joined(first, second));
+}
+
+Mesh rotated(Mesh mesh, double scale) {
+  const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, 3).normalized());
+  for (Vec3& p : mesh.positions) p = scale * (turn * p);
+  return mesh;
+}
+
+std::vector<std::vector<HoleLoop>> groups_of(Mesh mesh) {
+  return group_flat_openings(mesh,
+                             join_touching_holes(mesh, check_manifold(mesh).border_halfedges));
+}
+
+}  // namespace
+
+TEST_CASE("both sides of a plate with holes are one opening each, in any position") {
+  for (const double scale : {1e-150, 1.0, 1e150}) {
+    const Mesh mesh = rotated(plate(), scale);
+    const auto groups = groups_of(mesh);
+    REQUIRE(groups.size() == 2);
+    for (const std::vector<HoleLoop>& group : groups) {
+      REQUIRE(group.size() == 3);
+      double area = 0;
+      const std::vector<Face> faces = triangulate_opening(mesh, group);
+      CHECK(faces.size() == 14);
+      for (const auto& [a, b, c] : faces) {
+        const Vec3 u = (mesh.positions[b] - mesh.positions[a]) / scale;
+        area += u.cross((mesh.positions[c] - mesh.positions[a]) / scale).norm() / 2;
+      }
+      CHECK(area == doctest::Approx(40 - 6 - 1));
+    }
+  }
+}
+
+TEST_CASE("a plate with holes, without top and bottom, becomes the plate") {
+  for (const FillOptions& options : {FillOptions{.refine = false}, FillOptions{.fair = false}}) {
+    Mesh mesh = rotated(plate(), 1);
+    const FillResult result = fill_holes(mesh, options);
+    CHECK(result.holes == 2);
+    CHECK(result.filled() == 2);
+    CHECK(check_manifold(mesh).is_manifold());
+    CHECK(check_manifold(mesh).is_closed());
+    CHECK(find_intersections(mesh).empty());
+    CHECK(volume(mesh) == doctest::Approx(33));
+  }
+  // A small loop is no hole of its own.
+  Mesh mesh = plate();
+  const FillResult result = fill_holes(mesh, {.max_diameter = 2});
+  CHECK(result.filled() == 0);
+  REQUIRE(result.too_large.size() == 2);
+  CHECK(result.too_large[0].edges == 12);
+}
+
+TEST_CASE("an opening may touch faces within it at vertices") {
+  // Four squares of the missing bottom are left; three of them touch walls or each other.
+  Mesh mesh;
+  const Index n = 6;
+  for (Index z = 0; z <= 1; ++z)
+    for (Index y = 0; y <= n; ++y)
+      for (Index x = 0; x <= n; ++x) mesh.positions.emplace_back(x, y, z);
+  const auto at = [](Index x, Index y, Index z) { return (z * (n + 1) + y) * (n + 1) + x; };
+  const auto add = [&](Index a, Index b, Index c, Index d) {
+    mesh.faces.push_back({a, b, c});
+    mesh.faces.push_back({a, c, d});
+  };
+  for (Index y = 0; y < n; ++y)
+    for (Index x = 0; x < n; ++x) {
+      add(at(x, y, 1), at(x + 1, y, 1), at(x + 1, y + 1, 1), at(x, y + 1, 1));
+      if ((x == 1 || x == 2 || x == 4) && y == x)
+        add(at(x, y, 0), at(x, y + 1, 0), at(x + 1, y + 1, 0), at(x + 1, y, 0));
+    }
+  add(at(4, 1, 0), at(4, 2, 0), at(5, 2, 0), at(5, 1, 0));
+  mesh.faces.push_back({at(0, 3, 0), at(1, 4, 0), at(1, 3, 0)});
+  for (Index k = 0; k < n; ++k) {
+    add(at(k, 0, 0), at(k + 1, 0, 0), at(k + 1, 0, 1), at(k, 0, 1));
+    add(at(n, k, 0), at(n, k + 1, 0), at(n, k + 1, 1), at(n, k, 1));
+    add(at(k + 1, n, 0), at(k, n, 0), at(k, n, 1), at(k + 1, n, 1));
+    add(at(0, k + 1, 0), at(0, k, 0), at(0, k, 1), at(0, k + 1, 1));
+  }
+  for (const FillOptions& options : {FillOptions{.refine = false}, FillOptions{.fair = false}}) {
+    Mesh filled = rotated(mesh, 1);
+    CHECK(fill_holes(filled, options).filled() == 1);
+    CHECK(check_manifold(filled).is_manifold());
+    CHECK(check_manifold(filled).is_closed());
+    CHECK(find_intersections(filled).empty());
+    CHECK(volume(filled) == doctest::Approx(36));
+  }
+}
+
+TEST_CASE("rounded coordinates far from the origin do not separate the loops of an opening") {
+  Mesh mesh = rotated(plate(), 1);
+  for (Vec3& p : mesh.positions) p = (p + Vec3(1e5, 5e4, 2e4)).cast<float>().cast<double>();
+  CHECK(groups_of(mesh).size() == 2);
+  CHECK(fill_holes(mesh, {.fair = false}).filled() == 2);
+  CHECK(check_manifold(mesh).is_closed());
+}
+
+TEST_CASE("loops with the same direction, beside each other or in other planes, are alone") {
+  const Mesh outer = walls({0, 0, 0}, {4, 4, 4}, false);
+  CHECK(groups_of(test::joined(outer, walls({1, 1, 0}, {2, 2, 4}, false))).size() == 4);
+  CHECK(groups_of(test::joined(outer, walls({5, 1, 0}, {6, 2, 4}, true))).size() == 4);
+  CHECK(groups_of(test::joined(outer, walls({1, 1, 1}, {2, 2, 3}, true))).size() == 4);
+  CHECK(groups_of(test::joined(outer, walls({1, 1, 0}, {2, 2, 4}, true))).size() == 2);
+}
+
+}  // namespace transformesh
