@@ -121,6 +121,7 @@ class ReconstructionLoop : public Loop {
   SurfaceMeasures best_of(const SurfaceMeasures& start, SurfaceMeasures end, Document& document,
                           const Progress& progress);
   void keep_start(Document& document, const std::string& reason);
+  bool is_last_scale() const { return scale_step_ + 1 == scale_steps_.size(); }
   bool may_begin_finer() const;
   bool begins_stiffer(Document& document, const Progress& progress);
   bool drops_handles(Document& document, const Progress& progress);
@@ -168,8 +169,7 @@ void ReconstructionLoop::start(Document& document, const Progress& progress) {
 // True if the first scale was chosen by default, all sweeps so far were at this scale, and a finer
 // one follows.
 bool ReconstructionLoop::may_begin_finer() const {
-  return !options_.scales.coarsest && scale_step_ == first_ &&
-         scale_step_ + 1 < scale_steps_.size();
+  return !options_.scales.coarsest && scale_step_ == first_ && !is_last_scale();
 }
 
 void ReconstructionLoop::begin_finer(Document& document, const Progress& progress) {
@@ -264,7 +264,7 @@ void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
                                  const Progress& progress) {
   while (!takes_sweep(document, progress)) begin_finer(document, progress);
   if (begins_stiffer(document, progress)) return;
-  const SweepVerdict verdict = rule_.add(sweep_);
+  const SweepVerdict verdict = rule_.add(sweep_, is_last_scale());
   faults_.is_at_rest = verdict.is_at_rest;
   if (verdict.is_late && scale_step_ > first_) faults_.late_at = sweep_.scale_step.scale;
   if (!verdict.is_done) return;
@@ -316,7 +316,7 @@ bool ReconstructionLoop::carves(Document& document, const Progress& progress) {
 // true if such sweeps follow. Earlier sweeps need the full weight of disagreeing windows, because
 // these show where the surface is inaccurate.
 bool ReconstructionLoop::begin_robust() {
-  if (scale_step_ + 1 < scale_steps_.size() || loss_ > 0 || !faults_.is_at_rest) return false;
+  if (!is_last_scale() || loss_ > 0 || !faults_.is_at_rest) return false;
   loss_ = robust_loss(options_.robust, rule_.dissimilarity());
   if (loss_ > 0) rule_.begin();
   return loss_ > 0;
