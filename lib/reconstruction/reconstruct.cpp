@@ -1,6 +1,7 @@
 #include "transformesh/reconstruct.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "evolution/loop/csv_row.h"
@@ -15,6 +16,7 @@
 #include "reconstruction/carving.h"
 #include "reconstruction/convergence.h"
 #include "reconstruction/first_scale.h"
+#include "reconstruction/handle_trial.h"
 #include "reconstruction/image_scales.h"
 #include "reconstruction/initial_mesh.h"
 #include "reconstruction/initial_state.h"
@@ -54,6 +56,10 @@ constexpr int carving_steps = 2;
 /// Largest movement in a round of carving, in edge lengths. The steps after each round bring parts
 /// back by up to one edge length.
 constexpr double carving_edges = 1.5;
+/// Multiples of ReconstructionOptions::handles that are tried as lengths of loops. Several, because
+/// a trial fails if a true handle is among the removed ones. By default, the longest loop has 45
+/// pixels. Two windows fit into a wider tunnel, so that its walls are doubtful if it is false.
+constexpr std::array<double, 4> trial_loops = {1.5, 2, 2.5, 3};
 /// Finest scale at which the loop restarts if the surface falls apart; at finer scales too much
 /// work would be repeated. Slightly below 2, because scales are rounded.
 constexpr double stiffer_scale = 1.99;
@@ -131,6 +137,7 @@ class ReconstructionLoop : public Loop {
   void take_sweep(Document& document, const Progress& progress,
                   std::optional<int> iterations = std::nullopt);
   bool carves(Document& document, const Progress& progress);
+  bool tries_without_handles(Document& document, const Progress& progress);
   bool begin_robust();
   void begin_next_scale(Document& document, const Progress& progress);
   std::size_t pixels_compared(const Document& document, const Progress& progress) const {
@@ -269,7 +276,7 @@ void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
   if (verdict.is_late && scale_step_ > first_) faults_.late_at = sweep_.scale_step.scale;
   if (!verdict.is_done) return;
   if (verdict.is_lost) faults_.lost_at = sweep_.scale_step.scale;
-  if (carves(document, progress)) return;
+  if (carves(document, progress) || tries_without_handles(document, progress)) return;
   if (!begin_robust()) begin_next_scale(document, progress);
 }
 
@@ -310,6 +317,36 @@ bool ReconstructionLoop::carves(Document& document, const Progress& progress) {
                        fixed(scale, 4));
   rule_.begin();
   return true;
+}
+
+// Calls try_without_handles() (handle_trial.h) at the end of the last scale. Returns true if the
+// surface changed and thus needs more sweeps.
+bool ReconstructionLoop::tries_without_handles(Document& document, const Progress& progress) {
+  if (options_.handles == 0 || loss_ > 0 || !is_last_scale() ||
+      !check_manifold(document.mesh).is_closed())
+    return false;
+  const Sweep kept = sweep_;
+  const std::size_t handles = handles_;
+  const auto& [scale, edge] = scale_steps_[scale_step_];
+  const HandleTrialStages stages{
+      [&, at = scale](const Mesh& mesh) {
+        return photographs_.carving_evidence(mesh, at, progress).of_vertex;
+      },
+      [&](Document& tried) {
+        clean_in_place(tried, progress);
+        take_sweep(tried, progress);
+      }};
+  for (const double loop : trial_loops) {
+    const auto removed = try_without_handles(document, loop * options_.handles * edge, stages);
+    if (!removed) continue;
+    if (*removed == 0) break;
+    handles_ += *removed;
+    rule_.begin();
+    return true;
+  }
+  sweep_ = kept;
+  handles_ = handles;
+  return false;
 }
 
 // After the last scale, once, begins further sweeps with a robust loss (robust_loss()). Returns
