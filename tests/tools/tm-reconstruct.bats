@@ -247,6 +247,14 @@ take_pocket() {
   cmp again.ply out.ply
 }
 
+@test "a false tunnel that wrong depths leave in the opened hull is closed" {
+  tm-shape genus 7 --faces 60000 | tm-clean -q -o truth.ply
+  mkdir images masks
+  tm-photograph --size 240x180 --write-images images --write-silhouettes masks -o par.txt truth.ply
+  tm-reconstruct -q --cameras par.txt --images images --silhouettes masks --report out.json -o out.ply
+  [ "$(value components out.json) $(value genus out.json) $(value converged out.json)" = "1 7 true" ]
+}
+
 @test "the result is colored as tm-color does it, or gets a texture" {
   quick=("${reconstruct[@]}" --coarsest 4 --passes 1 --no-provenance -q)
   "${quick[@]}" -o plain.ply
