@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "evolution/loop/csv_row.h"
 #include "evolution/loop/iteration_text.h"
@@ -157,7 +158,7 @@ class ReconstructionLoop : public Loop {
   std::size_t scale_step_ = 0;  ///< index of the scale of the next sweep
   ScaleRule rule_;
   ReconstructionFaults faults_;
-  bool is_carved_ = false;  ///< true if the surface was carved at the current scale
+  bool is_carved_ = false;  ///< true if the sweeps before carving are finished at the current scale
   double loss_ = 0;
   double stiffness_ = 1;     ///< factor by which the stiffness of the options is multiplied
   std::size_t handles_ = 0;  ///< number of removed handles
@@ -271,12 +272,14 @@ void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
                                  const Progress& progress) {
   while (!takes_sweep(document, progress)) begin_finer(document, progress);
   if (begins_stiffer(document, progress)) return;
-  const SweepVerdict verdict = rule_.add(sweep_, is_last_scale());
+  const SweepVerdict verdict = rule_.add(sweep_, is_last_scale() && is_carved_);
   faults_.is_at_rest = verdict.is_at_rest;
   if (verdict.is_late && scale_step_ > first_) faults_.late_at = sweep_.scale_step.scale;
   if (!verdict.is_done) return;
   if (verdict.is_lost) faults_.lost_at = sweep_.scale_step.scale;
+  const bool may_go_on = !is_carved_ && is_last_scale() && !verdict.is_lost;
   if (carves(document, progress) || tries_without_handles(document, progress)) return;
+  if (may_go_on && !verdict.is_at_rest) return;
   if (!begin_robust()) begin_next_scale(document, progress);
 }
 
@@ -285,10 +288,9 @@ void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
 bool ReconstructionLoop::carves(Document& document, const Progress& progress) {
   // Only the hull of exact masks is known to contain the object. At coarse scales photographs
   // disagree on true surfaces, too: a strand of the torus knot 2,3 was cut at scale 2.
-  if (is_carved_ || loss_ > 0 || options_.initial.is_given || !photographs_.has_exact_outlines() ||
-      !is_late_scale(scale_steps_[scale_step_].scale))
+  if (std::exchange(is_carved_, true) || loss_ > 0 || options_.initial.is_given ||
+      !photographs_.has_exact_outlines() || !is_late_scale(scale_steps_[scale_step_].scale))
     return false;
-  is_carved_ = true;
   Stopwatch watch;
   Sweep kept = sweep_;
   std::size_t handles = handles_;

@@ -99,18 +99,18 @@ compared() { # KEY MESH
   mkdir -p frames/frame-00002.ply
   # An output that cannot be written ends the loop. The mesh of the sweep before is kept, and the run can be
   # continued.
-  run --separate-stderr "${reconstruct[@]}" "${few[@]}" -o out.ply --frames frames --every 2
+  run --separate-stderr "${reconstruct[@]}" "${stiff[@]}" -o out.ply --frames frames --every 2
   assert_status 5
   [[ ${stderr_lines[0]} == "tm-reconstruct: cannot write 'frames/frame-00002.ply': "* ]]
   [[ ${stderr_lines[1]} == *"stopped in sweep 2; 'out.ply' holds the mesh of sweep 1; continue with --resume"* ]]
   cp out.ply first.ply
-  run --separate-stderr "${reconstruct[@]}" "${few[@]}" -o out.ply
+  run --separate-stderr "${reconstruct[@]}" "${stiff[@]}" -o out.ply
   assert_status 2
   one_line "$stderr"
   [[ $stderr == *"'out.ply.tm-reconstruct'"*"--resume"*"--restart"* ]]
   cmp out.ply first.ply
-  "${reconstruct[@]}" "${few[@]}" -o begun.ply -q
-  "${reconstruct[@]}" "${few[@]}" -o out.ply --resume -q
+  "${reconstruct[@]}" "${stiff[@]}" -o begun.ply -q
+  "${reconstruct[@]}" "${stiff[@]}" -o out.ply --resume -q
   cmp out.ply begun.ply
 }
 
@@ -134,11 +134,11 @@ compared() { # KEY MESH
 }
 
 @test "a result that did not converge can be told by the exit code" {
-  few=(--coarsest 2 --passes 1 --iterations 1 --robust 0 -q -o out.ply --report report.json)
-  "${reconstruct[@]}" "${few[@]}"
+  stiff=(--coarsest 1 --stiffness 1e6 --robust 0 -q -o out.ply --report report.json)
+  "${reconstruct[@]}" "${stiff[@]}"
   [ "$(value converged report.json)" = false ]
   mv out.ply whole.ply
-  run --separate-stderr "${reconstruct[@]}" "${few[@]}" --require-convergence
+  run --separate-stderr "${reconstruct[@]}" "${stiff[@]}" --require-convergence
   assert_status 1
   cmp out.ply whole.ply
   "${reconstruct[@]}" -q -o out.ply --require-convergence
@@ -348,12 +348,12 @@ take_pocket() {
   tm-shape ellipsoid 80 65 65 --faces 3000 -o start.ply
   few=(--start start.ply --coarsest 4 --passes 1 -q -o out.ply --csv log.csv)
   outside() { awk -F, 'NR == 2 { print $12 }' log.csv; }
-  "${reconstruct[@]}" "${few[@]}"
+  "${reconstruct[@]}" "${stiff[@]}"
   [ "$(outside)" -lt 10 ]
-  "${reconstruct[@]}" "${few[@]}" --clip nothing
+  "${reconstruct[@]}" "${stiff[@]}" --clip nothing
   [ "$(outside)" -gt 100 ] || fail "$(cat log.csv)"
   # The hull of masks that show only a part of the object may be too small.
-  "${reconstruct[@]}" "${few[@]}" --silhouettes-show least --frames frames
+  "${reconstruct[@]}" "${stiff[@]}" --silhouettes-show least --frames frames
   awk -v a="$(tm-info --get volume frames/frame-00000.ply)" -v b="$(tm-info --get volume start.ply)" \
     'BEGIN { exit !(a > 0.9 * b) }'
 
@@ -371,10 +371,10 @@ take_pocket() {
   few=(tm-reconstruct --cameras "$scene/par.txt" --images "$scene/images" --start "$scene/whole.ply"
     --coarsest 2 --passes 1 --no-provenance -q)
   # Without outlines, the pull of silhouettes has no effect.
-  "${few[@]}" -o out.ply
-  "${few[@]}" --pull 3 -o pull.ply
+  "${stiff[@]}" -o out.ply
+  "${stiff[@]}" --pull 3 -o pull.ply
   cmp out.ply pull.ply
-  "${few[@]}" --threshold auto -o outlined.ply
+  "${stiff[@]}" --threshold auto -o outlined.ply
   run cmp -s out.ply outlined.ply
   [ "$status" -eq 1 ]
 }
