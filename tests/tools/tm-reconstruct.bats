@@ -99,18 +99,18 @@ compared() { # KEY MESH
   mkdir -p frames/frame-00002.ply
   # An output that cannot be written ends the loop. The mesh of the sweep before is kept, and the run can be
   # continued.
-  run --separate-stderr "${reconstruct[@]}" "${stiff[@]}" -o out.ply --frames frames --every 2
+  run --separate-stderr "${reconstruct[@]}" "${few[@]}" -o out.ply --frames frames --every 2
   assert_status 5
   [[ ${stderr_lines[0]} == "tm-reconstruct: cannot write 'frames/frame-00002.ply': "* ]]
   [[ ${stderr_lines[1]} == *"stopped in sweep 2; 'out.ply' holds the mesh of sweep 1; continue with --resume"* ]]
   cp out.ply first.ply
-  run --separate-stderr "${reconstruct[@]}" "${stiff[@]}" -o out.ply
+  run --separate-stderr "${reconstruct[@]}" "${few[@]}" -o out.ply
   assert_status 2
   one_line "$stderr"
   [[ $stderr == *"'out.ply.tm-reconstruct'"*"--resume"*"--restart"* ]]
   cmp out.ply first.ply
-  "${reconstruct[@]}" "${stiff[@]}" -o begun.ply -q
-  "${reconstruct[@]}" "${stiff[@]}" -o out.ply --resume -q
+  "${reconstruct[@]}" "${few[@]}" -o begun.ply -q
+  "${reconstruct[@]}" "${few[@]}" -o out.ply --resume -q
   cmp out.ply begun.ply
 }
 
@@ -348,12 +348,12 @@ take_pocket() {
   tm-shape ellipsoid 80 65 65 --faces 3000 -o start.ply
   few=(--start start.ply --coarsest 4 --passes 1 -q -o out.ply --csv log.csv)
   outside() { awk -F, 'NR == 2 { print $12 }' log.csv; }
-  "${reconstruct[@]}" "${stiff[@]}"
+  "${reconstruct[@]}" "${few[@]}"
   [ "$(outside)" -lt 10 ]
-  "${reconstruct[@]}" "${stiff[@]}" --clip nothing
+  "${reconstruct[@]}" "${few[@]}" --clip nothing
   [ "$(outside)" -gt 100 ] || fail "$(cat log.csv)"
   # The hull of masks that show only a part of the object may be too small.
-  "${reconstruct[@]}" "${stiff[@]}" --silhouettes-show least --frames frames
+  "${reconstruct[@]}" "${few[@]}" --silhouettes-show least --frames frames
   awk -v a="$(tm-info --get volume frames/frame-00000.ply)" -v b="$(tm-info --get volume start.ply)" \
     'BEGIN { exit !(a > 0.9 * b) }'
 
@@ -368,13 +368,14 @@ take_pocket() {
 }
 
 @test "with a start, outlines come from a threshold that is given, and no background is supposed" {
-  few=(tm-reconstruct --cameras "$scene/par.txt" --images "$scene/images" --start "$scene/whole.ply"
+  tm-hull --cameras "$scene/par.txt" --silhouettes "$scene/masks" -q -o hull.ply
+  few=(tm-reconstruct --cameras "$scene/par.txt" --images "$scene/images" --start hull.ply
     --coarsest 2 --passes 1 --no-provenance -q)
   # Without outlines, the pull of silhouettes has no effect.
-  "${stiff[@]}" -o out.ply
-  "${stiff[@]}" --pull 3 -o pull.ply
+  "${few[@]}" -o out.ply
+  "${few[@]}" --pull 3 -o pull.ply
   cmp out.ply pull.ply
-  "${stiff[@]}" --threshold auto -o outlined.ply
+  "${few[@]}" --threshold auto -o outlined.ply
   run cmp -s out.ply outlined.ply
   [ "$status" -eq 1 ]
 }
