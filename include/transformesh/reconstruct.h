@@ -25,8 +25,9 @@ namespace transformesh {
 /// A connected set of vertices with a doubt above 0.5.
 struct DoubtfulPlace {
   Vec3 center = Vec3::Zero();
-  double area = 0;       ///< area of the place in squared pixels, >= 25
-  bool is_thin = false;  ///< most of the place has an opposite sheet within six pixels
+  double area = 0;          ///< area of the place in squared pixels, >= 25
+  bool is_thin = false;     ///< most of the place has an opposite sheet within six pixels
+  bool has_handle = false;  ///< the place contains a loop that does not separate the surface
 };
 
 struct ReconstructionResult {

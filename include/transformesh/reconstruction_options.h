@@ -44,7 +44,7 @@ struct ReconstructionOptions {
   PairOptions pairs;
   WindowRadii windows;
   std::optional<int> iterations = std::nullopt;  ///< steps per sweep; 5, or 8 if hollows are carved
-  std::size_t sweeps = 4;  ///< limit of sweeps at a scale; twice as many if the topology changes
+  std::size_t sweeps = 4;                        ///< limit of sweeps at a scale; see scale_rule.h
   std::optional<double> pull = std::nullopt;  ///< silhouette weight; default 0.5, distant views 1.5
   double momentum = 0.7;      ///< fraction of the last movement that a step adds; [0, 1)
   PhotoStepOptions step;      ///< only its `stiffness`, `damping`, `alpha` are used

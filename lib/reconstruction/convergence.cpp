@@ -23,9 +23,12 @@ std::string in_words_of(const SurfaceDoubt& doubt) {
     return "photographs disagree by " + fixed(doubt.disagreement, 2) +
            " beyond their noise, on a scale from 0 to 1; at most " +
            shortest_text(most_disagreement) + " is accepted";
-  const auto thin = std::find_if(doubt.places.begin(), doubt.places.end(),
-                                 [](const DoubtfulPlace& place) { return place.is_thin; });
-  if (thin != doubt.places.end())
+  const auto& places = doubt.places;
+  const auto handle = std::ranges::find_if(places, &DoubtfulPlace::has_handle);
+  if (handle != places.end())
+    return "photographs disagree all around a handle or tunnel at " + in_words(*handle);
+  const auto thin = std::ranges::find_if(places, &DoubtfulPlace::is_thin);
+  if (thin != places.end())
     return "photographs disagree on a thin sheet or fin around " + in_words(*thin);
   if (doubt.share > most_doubtful)
     return "photographs disagree on " + fixed(100 * doubt.share, 1) +

@@ -1,7 +1,9 @@
 #include "transformesh/reconstruct.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <utility>
 
 #include "evolution/loop/csv_row.h"
 #include "evolution/loop/iteration_text.h"
@@ -15,6 +17,7 @@
 #include "reconstruction/carving.h"
 #include "reconstruction/convergence.h"
 #include "reconstruction/first_scale.h"
+#include "reconstruction/handle_trial.h"
 #include "reconstruction/image_scales.h"
 #include "reconstruction/initial_mesh.h"
 #include "reconstruction/initial_state.h"
@@ -54,6 +57,10 @@ constexpr int carving_steps = 2;
 /// Largest movement in a round of carving, in edge lengths. The steps after each round bring parts
 /// back by up to one edge length.
 constexpr double carving_edges = 1.5;
+/// Multiples of ReconstructionOptions::handles that are tried as lengths of loops. Several, because
+/// a trial fails if a true handle is among the removed ones. By default, the longest loop has 45
+/// pixels. Two windows fit into a wider tunnel, so that its walls are doubtful if it is false.
+constexpr std::array<double, 4> trial_loops = {1.5, 2, 2.5, 3};
 /// Finest scale at which the loop restarts if the surface falls apart; at finer scales too much
 /// work would be repeated. Slightly below 2, because scales are rounded.
 constexpr double stiffer_scale = 1.99;
@@ -121,6 +128,7 @@ class ReconstructionLoop : public Loop {
   SurfaceMeasures best_of(const SurfaceMeasures& start, SurfaceMeasures end, Document& document,
                           const Progress& progress);
   void keep_start(Document& document, const std::string& reason);
+  bool is_last_scale() const { return scale_step_ + 1 == scale_steps_.size(); }
   bool may_begin_finer() const;
   bool begins_stiffer(Document& document, const Progress& progress);
   bool drops_handles(Document& document, const Progress& progress);
@@ -130,6 +138,7 @@ class ReconstructionLoop : public Loop {
   void take_sweep(Document& document, const Progress& progress,
                   std::optional<int> iterations = std::nullopt);
   bool carves(Document& document, const Progress& progress);
+  bool tries_without_handles(Document& document, const Progress& progress);
   bool begin_robust();
   void begin_next_scale(Document& document, const Progress& progress);
   std::size_t pixels_compared(const Document& document, const Progress& progress) const {
@@ -149,7 +158,7 @@ class ReconstructionLoop : public Loop {
   std::size_t scale_step_ = 0;  ///< index of the scale of the next sweep
   ScaleRule rule_;
   ReconstructionFaults faults_;
-  bool is_carved_ = false;  ///< true if the surface was carved at the current scale
+  bool is_carved_ = false;  ///< true if the sweeps before carving are finished at the current scale
   double loss_ = 0;
   double stiffness_ = 1;     ///< factor by which the stiffness of the options is multiplied
   std::size_t handles_ = 0;  ///< number of removed handles
@@ -168,8 +177,7 @@ void ReconstructionLoop::start(Document& document, const Progress& progress) {
 // True if the first scale was chosen by default, all sweeps so far were at this scale, and a finer
 // one follows.
 bool ReconstructionLoop::may_begin_finer() const {
-  return !options_.scales.coarsest && scale_step_ == first_ &&
-         scale_step_ + 1 < scale_steps_.size();
+  return !options_.scales.coarsest && scale_step_ == first_ && !is_last_scale();
 }
 
 void ReconstructionLoop::begin_finer(Document& document, const Progress& progress) {
@@ -264,12 +272,14 @@ void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
                                  const Progress& progress) {
   while (!takes_sweep(document, progress)) begin_finer(document, progress);
   if (begins_stiffer(document, progress)) return;
-  const SweepVerdict verdict = rule_.add(sweep_);
+  const SweepVerdict verdict = rule_.add(sweep_, is_last_scale() && is_carved_);
   faults_.is_at_rest = verdict.is_at_rest;
   if (verdict.is_late && scale_step_ > first_) faults_.late_at = sweep_.scale_step.scale;
   if (!verdict.is_done) return;
   if (verdict.is_lost) faults_.lost_at = sweep_.scale_step.scale;
-  if (carves(document, progress)) return;
+  const bool may_go_on = !is_carved_ && is_last_scale() && !verdict.is_lost;
+  if (carves(document, progress) || tries_without_handles(document, progress)) return;
+  if (may_go_on && !verdict.is_at_rest) return;
   if (!begin_robust()) begin_next_scale(document, progress);
 }
 
@@ -278,10 +288,9 @@ void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
 bool ReconstructionLoop::carves(Document& document, const Progress& progress) {
   // Only the hull of exact masks is known to contain the object. At coarse scales photographs
   // disagree on true surfaces, too: a strand of the torus knot 2,3 was cut at scale 2.
-  if (is_carved_ || loss_ > 0 || options_.initial.is_given || !photographs_.has_exact_outlines() ||
-      !is_late_scale(scale_steps_[scale_step_].scale))
+  if (std::exchange(is_carved_, true) || loss_ > 0 || options_.initial.is_given ||
+      !photographs_.has_exact_outlines() || !is_late_scale(scale_steps_[scale_step_].scale))
     return false;
-  is_carved_ = true;
   Stopwatch watch;
   Sweep kept = sweep_;
   std::size_t handles = handles_;
@@ -312,11 +321,41 @@ bool ReconstructionLoop::carves(Document& document, const Progress& progress) {
   return true;
 }
 
+// Calls try_without_handles() (handle_trial.h) at the end of the last scale. Returns true if the
+// surface changed and thus needs more sweeps.
+bool ReconstructionLoop::tries_without_handles(Document& document, const Progress& progress) {
+  if (options_.handles == 0 || loss_ > 0 || !is_last_scale() ||
+      !check_manifold(document.mesh).is_closed())
+    return false;
+  const Sweep kept = sweep_;
+  const std::size_t handles = handles_;
+  const auto& [scale, edge] = scale_steps_[scale_step_];
+  const HandleTrialStages stages{
+      [&, at = scale](const Mesh& mesh) {
+        return photographs_.carving_evidence(mesh, at, progress).of_vertex;
+      },
+      [&](Document& tried) {
+        clean_in_place(tried, progress);
+        take_sweep(tried, progress);
+      }};
+  for (const double loop : trial_loops) {
+    const auto removed = try_without_handles(document, loop * options_.handles * edge, stages);
+    if (!removed) continue;
+    if (*removed == 0) break;
+    handles_ += *removed;
+    rule_.begin();
+    return true;
+  }
+  sweep_ = kept;
+  handles_ = handles;
+  return false;
+}
+
 // After the last scale, once, begins further sweeps with a robust loss (robust_loss()). Returns
 // true if such sweeps follow. Earlier sweeps need the full weight of disagreeing windows, because
 // these show where the surface is inaccurate.
 bool ReconstructionLoop::begin_robust() {
-  if (scale_step_ + 1 < scale_steps_.size() || loss_ > 0 || !faults_.is_at_rest) return false;
+  if (!is_last_scale() || loss_ > 0 || !faults_.is_at_rest) return false;
   loss_ = robust_loss(options_.robust, rule_.dissimilarity());
   if (loss_ > 0) rule_.begin();
   return loss_ > 0;

@@ -25,7 +25,7 @@ constexpr double late_scale = 1.99;
 
 bool is_late_scale(double scale) { return scale < late_scale; }
 
-SweepVerdict ScaleRule::add(const Sweep& sweep) {
+SweepVerdict ScaleRule::add(const Sweep& sweep, bool is_last) {
   const PhotoStepResult& last = sweep.steps.last;
   const bool is_first = done_ == 0;
   if (is_first) {
@@ -45,7 +45,8 @@ SweepVerdict ScaleRule::add(const Sweep& sweep) {
   verdict.is_at_rest = !verdict.is_lost && is_slow && !changes;
   verdict.is_late = is_other && is_late_scale(sweep.scale_step.scale);
   ++done_;
-  verdict.is_done = verdict.is_at_rest || done_ >= (changes ? 2 * sweeps_ : sweeps_);
+  const bool needs_more = changes || (is_last && !verdict.is_lost);
+  verdict.is_done = verdict.is_at_rest || done_ >= (needs_more ? 2 * sweeps_ : sweeps_);
 
   coverage_ = read_back(significant(coverage_, 6));
   before_ = {read_back(significant(last.dissimilarity, 6)), last.outside, sweep.mesh.topology};

@@ -42,14 +42,15 @@ struct SweepVerdict {
 
 /// Decides after each sweep whether the scale is finished. It is finished after `sweeps` sweeps. If
 /// vertices enter silhouettes from outside or the topology changes, it is only finished after `2 *
-/// sweeps` sweeps. It is finished earlier if SweepVerdict::is_at_rest is true. Vertices hardly move
+/// sweeps` sweeps. The same holds for the last scale, because no finer scale continues the
+/// movement. A scale is finished earlier if SweepVerdict::is_at_rest is true. Vertices hardly move
 /// if they move by less than 1.5 % of an edge on average. The dissimilarity hardly falls if it
 /// falls by less than 1 % from one sweep to the next.
 class ScaleRule {
  public:
   explicit ScaleRule(std::size_t sweeps = 4) : sweeps_(sweeps) {}
 
-  SweepVerdict add(const Sweep& sweep);
+  SweepVerdict add(const Sweep& sweep, bool is_last = false);
   /// Prepares the rule for a new scale.
   void begin() { *this = ScaleRule(sweeps_); }
   /// Returns the dissimilarity after the last sweep, rounded to six digits as in the record.

@@ -1,8 +1,10 @@
 #include "reconstruction/surface_doubt.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "mesh/local_measures.h"
+#include "reconstruction/place_loops.h"
 #include "step/local_thickness.h"
 #include "support/number.h"
 #include "transformesh/measure.h"
@@ -40,11 +42,14 @@ void find_places(const Mesh& mesh, const UniformLaplacian& laplacian, std::vecto
                  double pixel, SurfaceDoubt& doubt, const Progress& progress) {
   const std::vector<double> areas = vertex_areas(mesh);
   std::vector<double> thickness;
+  std::optional<PlaceLoops> loops;
   for (Index v = 0; v < is_doubtful.size(); ++v) {
     if (!is_doubtful[v]) continue;
     const std::vector<Index> vertices = take_connected(v, laplacian, is_doubtful);
     DoubtfulPlace place = measured_place(mesh, vertices, areas, pixel);
     if (place.area < least_area_px) continue;
+    if (!loops) loops.emplace(mesh);
+    place.has_handle = loops->has_handle(vertices);
     if (thickness.empty())
       thickness = local_thickness(make_target(mesh), 2 * thin_px * pixel, progress);
     place.is_thin = is_thin(vertices, thickness, thin_px * pixel);
@@ -114,7 +119,8 @@ void set_doubt_column(Mesh& mesh, const SurfaceDoubt& doubt) {
 std::string in_words(const DoubtfulPlace& place) {
   const auto number = [&](int axis) { return significant(place.center[axis], 4); };
   return number(0) + ',' + number(1) + ',' + number(2) + " (" + fixed(place.area, 0) +
-         " square pixels" + (place.is_thin ? ", thin)" : ")");
+         " square pixels" + (place.is_thin ? ", thin" : "") +
+         (place.has_handle ? ", with a handle)" : ")");
 }
 
 }  // namespace transformesh

@@ -4,7 +4,9 @@
 /// (WindowSums::excess of disagreement.h), from 0 to 1. It is 1 if the vertex is visible in fewer
 /// than two views. A doubtful place is a connected set of vertices that are visible in two views
 /// and have a doubt above one half. It is thin, such as a thin sheet or a fin, if the surface is
-/// less than six pixels thick at more than half of its vertices (local_thickness.h).
+/// less than six pixels thick at more than half of its vertices (local_thickness.h). It has a
+/// handle if a loop in it does not separate the surface: photographs then contradict all of a
+/// handle or tunnel there (place_loops.h).
 #pragma once
 
 #include <cstddef>
@@ -59,7 +61,8 @@ SurfaceDoubt surface_doubt(const Mesh& mesh, const PhotoScene& scene, double lea
 inline constexpr const char* doubt_column = "doubt";
 void set_doubt_column(Mesh& mesh, const SurfaceDoubt& doubt);
 
-/// Returns text such as "12.5,3,-4 (412 square pixels, thin)", with four digits per coordinate.
+/// Returns text such as "12.5,3,-4 (412 square pixels, thin, with a handle)", with four digits per
+/// coordinate.
 std::string in_words(const DoubtfulPlace& place);
 
 }  // namespace transformesh

@@ -134,11 +134,11 @@ compared() { # KEY MESH
 }
 
 @test "a result that did not converge can be told by the exit code" {
-  few=(--coarsest 2 --passes 1 --iterations 1 --robust 0 -q -o out.ply --report report.json)
-  "${reconstruct[@]}" "${few[@]}"
+  stiff=(--coarsest 1 --stiffness 1e6 --robust 0 -q -o out.ply --report report.json)
+  "${reconstruct[@]}" "${stiff[@]}"
   [ "$(value converged report.json)" = false ]
   mv out.ply whole.ply
-  run --separate-stderr "${reconstruct[@]}" "${few[@]}" --require-convergence
+  run --separate-stderr "${reconstruct[@]}" "${stiff[@]}" --require-convergence
   assert_status 1
   cmp out.ply whole.ply
   "${reconstruct[@]}" -q -o out.ply --require-convergence
@@ -245,6 +245,14 @@ take_pocket() {
   below "$far" "$(awk -v pixel="$pixel" 'BEGIN { print 3 * pixel }')"
   "${tori[@]}" --threads 1 -q -o again.ply
   cmp again.ply out.ply
+}
+
+@test "a false tunnel that wrong depths leave in the opened hull is closed" {
+  tm-shape genus 7 --faces 60000 | tm-clean -q -o truth.ply
+  mkdir images masks
+  tm-photograph --size 240x180 --write-images images --write-silhouettes masks -o par.txt truth.ply
+  tm-reconstruct -q --cameras par.txt --images images --silhouettes masks --report out.json -o out.ply
+  [ "$(value components out.json) $(value genus out.json) $(value converged out.json)" = "1 7 true" ]
 }
 
 @test "the result is colored as tm-color does it, or gets a texture" {
@@ -360,7 +368,8 @@ take_pocket() {
 }
 
 @test "with a start, outlines come from a threshold that is given, and no background is supposed" {
-  few=(tm-reconstruct --cameras "$scene/par.txt" --images "$scene/images" --start "$scene/whole.ply"
+  tm-hull --cameras "$scene/par.txt" --silhouettes "$scene/masks" -q -o hull.ply
+  few=(tm-reconstruct --cameras "$scene/par.txt" --images "$scene/images" --start hull.ply
     --coarsest 2 --passes 1 --no-provenance -q)
   # Without outlines, the pull of silhouettes has no effect.
   "${few[@]}" -o out.ply

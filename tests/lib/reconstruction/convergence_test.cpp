@@ -32,6 +32,10 @@ TEST_CASE("a surface at rest is not converged if masks or photographs disagree w
   evidence.doubt.places[1].is_thin = true;
   CHECK(at_rest.in_words(evidence) ==
         "photographs disagree on a thin sheet or fin around 4,5,6e+04 (30 square pixels, thin)");
+  evidence.doubt.places[0].has_handle = true;
+  CHECK(at_rest.in_words(evidence) ==
+        "photographs disagree all around a handle or tunnel at 1,2,3 (400 square pixels, with a "
+        "handle)");
   evidence.doubt.disagreement = 0.21;
   CHECK(at_rest.in_words(evidence) ==
         "photographs disagree by 0.21 beyond their noise, on a scale from 0 to 1; at most 0.2 is "

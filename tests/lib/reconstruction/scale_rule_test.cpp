@@ -43,6 +43,24 @@ TEST_CASE("a scale ends at its limit of sweeps, and does not count as at rest") 
   CHECK_FALSE(verdict.is_at_rest);
 }
 
+TEST_CASE("the last scale has twice as many sweeps while the surface moves, unless it is lost") {
+  for (const bool is_lost : {false, true}) {
+    ScaleRule rule(2);
+    rule.add(moving(0.5), true);
+    Sweep second = moving(0.4);
+    if (is_lost) second.steps.last.pixels = 449;
+    CHECK(rule.add(second, true).is_done == is_lost);
+  }
+  ScaleRule rule(2);
+  rule.add(moving(0.5), true);
+  rule.add(moving(0.4), true);
+  CHECK(rule.add(moving(0.3985), true).is_at_rest);
+  rule.begin();
+  for (const double dissimilarity : {0.5, 0.4, 0.3})
+    CHECK_FALSE(rule.add(moving(dissimilarity), true).is_done);
+  CHECK(rule.add(moving(0.2), true).is_done);
+}
+
 TEST_CASE("while the topology changes a scale has twice as many sweeps, and no rest") {
   ScaleRule rule(2);
   rule.add(moving(0.5));
