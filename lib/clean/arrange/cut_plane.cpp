@@ -1,6 +1,7 @@
 #include "clean/arrange/cut_plane.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "clean/arrange/definition_table.h"
 #include "clean/arrange/planar_triangulation.h"
@@ -17,6 +18,7 @@ struct Line {
   Index b;  ///< end of the edge
   /// Change of the winding number across the segment of an intersecting face.
   WindingJump jump{no_index, 0};
+  std::optional<ExactPlane> plane{};  ///< plane of the intersecting face, computed on demand
 };
 
 struct Segment {
@@ -48,6 +50,7 @@ class PlaneCutter : public PlaneFacets {
 
   std::array<Vec3, 2> box() const;
   ExactPoint crossing(Index first_line, Index second_line) const;
+  const ExactPlane* plane_through(Index line);
   void insert_faces();
   bool insert_only_face();
   void insert_meeting(const Meeting& meeting);
@@ -81,8 +84,10 @@ PlaneCutter::PlaneCutter(const WeldedMesh& welded, const Plane& plane, const Win
       jumps_(jumps),
       geometry_(welded.points, welded.faces),
       projection_(projection_of(welded.triangle(plane.faces[0]))),
-      triangulation_(geometry_, welded.triangle(plane.faces[0]), box()[0], box()[1],
-                     [this](Index a, Index b) { return crossing(a, b); }) {
+      triangulation_(
+          geometry_, welded.triangle(plane.faces[0]), box()[0], box()[1],
+          [this](Index a, Index b) { return crossing(a, b); },
+          [this](Index line) { return plane_through(line); }) {
   for (const Index face : plane.faces) {
     const Triangle t = welded.triangle(face);
     is_reversed_.push_back(orient2d(t[0], t[1], t[2], projection_) < 0 ? 1 : 0);
@@ -109,6 +114,13 @@ ExactPoint PlaneCutter::crossing(Index first_line, Index second_line) const {
   if (p.is_edge) return geometry_.point(PointDefinition::line_plane(p.a, p.b, q.a));
   if (q.is_edge) return geometry_.point(PointDefinition::line_plane(q.a, q.b, p.a));
   return geometry_.three_planes(plane_.faces[0], p.a, q.a);
+}
+
+const ExactPlane* PlaneCutter::plane_through(Index line) {
+  Line& of = lines_[line];
+  if (of.is_edge) return nullptr;
+  if (!of.plane) of.plane = geometry_.plane(of.a);
+  return &*of.plane;
 }
 
 void PlaneCutter::insert_faces() {

@@ -38,8 +38,12 @@ std::array<Vec3, 3> scaffold(const Triangle& plane, PlaneProjection p, const Vec
 }  // namespace
 
 PlanarTriangulation::PlanarTriangulation(const ExactGeometry& geometry, const Triangle& plane,
-                                         const Vec3& low, const Vec3& high, Crossing crossing)
-    : geometry_(geometry), projection_(projection_of(plane)), crossing_(std::move(crossing)) {
+                                         const Vec3& low, const Vec3& high, Crossing crossing,
+                                         PlaneThrough plane_through)
+    : geometry_(geometry),
+      projection_(projection_of(plane)),
+      crossing_(std::move(crossing)),
+      plane_through_(std::move(plane_through)) {
   for (const Vec3& corner : scaffold(plane, projection_, low, high)) {
     // NOLINTNEXTLINE(clang-analyzer-unix.Malloc): references are counted
     add_point(ExactGeometry::free(corner));
@@ -94,13 +98,20 @@ int PlanarTriangulation::orientation(Index a, Index b, Index c) const {
 }
 
 // Returns the side of a segment on which a point is: +1 for left, -1 for right, 0 for the line
-// through the segment. Both ends of the segment must be on line `s.line`.
+// through the segment. Both ends of the segment must be on line `s.line`. A test against a plane
+// through this line needs precise coordinates of one point, an orientation those of three. Corners
+// of the scaffold are not exactly in the plane of the triangulation, so they have no such test.
 int PlanarTriangulation::side_of(const Segment& s, Index point) const {
   const int sign =
       ExactGeometry::quick_orient2d(points_[s.from], points_[s.to], points_[point], projection_);
   if (sign != 0) return sign;
   if (std::binary_search(lines_[point].begin(), lines_[point].end(), s.line)) return 0;
-  return orientation(s.from, s.to, point);
+  const bool has_plane = plane_through_ && point >= scaffold_points;
+  const ExactPlane* plane = has_plane ? plane_through_(s.line) : nullptr;
+  if (plane == nullptr) return orientation(s.from, s.to, point);
+  const int side = geometry_.orient3d(*plane, points_[point]);
+  if (s.front == 0) s.front = side * orientation(s.from, s.to, point);
+  return s.front * side;
 }
 
 bool PlanarTriangulation::share_line(std::span<const Index> a, std::span<const Index> b,
@@ -151,12 +162,14 @@ PlanarTriangulation::Location PlanarTriangulation::locate(const ExactPoint& poin
     return geometry_.orient2d(points_[a], points_[b], point, projection_);
   };
   Location location{facet_of_.back(), {}};
+  Index entry = no_index;  // the edge of the facet that was crossed: the point is to its left
   const auto leave_by = [&](Index first) {
     Index exit = no_index;
     for (Index k = 0; k < 3; ++k) {
       const Index i = (first + k) % 3;
       const Facet& facet = facets_[location.facet];
-      location.side[i] = side_of(facet.v[i], facet.v[next_corner(i)]);
+      const bool is_entry = 3 * location.facet + i == entry;
+      location.side[i] = is_entry ? 1 : side_of(facet.v[i], facet.v[next_corner(i)]);
       if (location.side[i] < 0) {
         exit = i;
         break;
@@ -167,9 +180,11 @@ PlanarTriangulation::Location PlanarTriangulation::locate(const ExactPoint& poin
   for (std::size_t step = 0; step < 3 * facets_.size() + 10; ++step) {
     const Index exit = leave_by(static_cast<Index>(step % 3));
     if (exit == no_index) return location;
-    if (facets_[location.facet].next[exit] == no_index) break;
-    location.facet = facets_[location.facet].next[exit];
+    entry = opposite(3 * location.facet + exit);
+    if (entry == no_index) break;
+    location.facet = entry / 3;
   }
+  entry = no_index;
   for (location.facet = 0; location.facet < facets_.size(); ++location.facet) {
     if (leave_by(0) == no_index) return location;
   }
@@ -334,10 +349,9 @@ bool PlanarTriangulation::wants_flip(Index edge, bool breaks_ties) const {
   const Index a = facet.v[edge % 3], b = facets_[back / 3].v[back % 3];
   const Index c = facet.v[previous_corner(edge % 3)];
   const Index d = facets_[back / 3].v[previous_corner(back % 3)];
-  int sign = ExactGeometry::quick_delaunay_sign(points_[a], points_[b], points_[c], points_[d],
-                                                projection_);
-  if (sign == 0 && breaks_ties)
-    sign = geometry_.delaunay_sign(points_[a], points_[b], points_[c], points_[d], projection_);
+  const auto &pa = points_[a], &pb = points_[b], &pc = points_[c], &pd = points_[d];
+  int sign = breaks_ties ? geometry_.delaunay_sign(pa, pb, pc, pd, projection_)
+                         : ExactGeometry::quick_delaunay_sign(pa, pb, pc, pd, projection_);
   if (sign == 0 && breaks_ties) {
     const auto key = [&](Index p) { return geometry_.vertices_of(points_[p].definition); };
     if (std::min(key(c), key(d)) < std::min(key(a), key(b))) sign = -1;
@@ -376,9 +390,10 @@ void PlanarTriangulation::legalize(Index p) {
 }
 
 void PlanarTriangulation::improve(const std::vector<char>& marked) {
+  // Each edge is tested from one of its two facets. A flip adds all edges whose numbers it changes.
   std::vector<Index> stack;
   for (auto edge = static_cast<Index>(3 * facets_.size()); edge-- > 0;)
-    if (marked.empty() || marked[edge / 3]) stack.push_back(edge);
+    if ((marked.empty() || marked[edge / 3]) && edge < opposite(edge)) stack.push_back(edge);
   for (std::size_t budget = 100 + 30 * facets_.size(); !stack.empty() && budget > 0; --budget) {
     const Index edge = stack.back();
     stack.pop_back();
@@ -410,18 +425,25 @@ void PlanarTriangulation::mark(Index edge, Index line) {
 }
 
 void PlanarTriangulation::constrain(Index from, Index to, Index line) {
-  while (from != to) from = step_along({from, to, line});
+  for (Segment s{from, to, line}; s.from != to;) s.from = step_along(s);
 }
 
 // Makes the part of the segment from its start to the next point on it a constrained edge. Returns
 // this next point.
 Index PlanarTriangulation::step_along(const Segment& s) {
   bool is_along = false;
+  Index known = no_index;  // the latest tested point, and its side
+  int known_side = 0;
+  const auto side_at = [&](Index point) {
+    if (point != known) known_side = point == s.to ? 0 : side_of(s, point);
+    known = point;
+    return known_side;
+  };
   const Index edge = find_edge_from(s.from, [&](Index e) {
     const Index x = target(e), y = target(next_edge(e));
-    const int side_of_x = x == s.to ? 0 : side_of(s, x);
+    const int side_of_x = side_at(x);
     is_along = side_of_x == 0 && (x == s.to || is_ahead(s.from, x, s.to));
-    return is_along || (side_of_x < 0 && y != s.to && side_of(s, y) > 0);
+    return is_along || (side_of_x < 0 && side_at(y) > 0);
   });
   if (edge == no_index) throw std::logic_error("a constraint leaves its plane's scaffold");
   if (!is_along) return march(next_edge(edge), s);
@@ -467,7 +489,10 @@ void PlanarTriangulation::clear_way(std::vector<std::array<Index, 2>> crossed, c
     const auto [x, y] = queue.front();
     queue.pop_front();
     const Index edge = edge_between(x, y);
-    if (!is_convex(edge)) {
+    const Index c = source(previous_edge(edge)), d = source(previous_edge(opposite(edge)));
+    // If the facets lie between the ends of the segment, they are convex: it crosses their edge.
+    const bool is_last = (c == s.from && d == s.to) || (c == s.to && d == s.from);
+    if (!is_last && !is_convex(edge)) {
       queue.push_back({x, y});
       continue;
     }
@@ -521,6 +546,8 @@ PlanarTriangulation::Collection PlanarTriangulation::collect(
       if (number[corner] == no_index) {
         number[corner] = static_cast<Index>(sorted.points.size());
         sorted.points.push_back(points_[corner]);
+        // Exact coordinates take most of the memory of a point, and few points need them again.
+        if (points_[corner].definition.is_known()) sorted.points.back().exact = nullptr;
       }
       corner = number[corner];
     }

@@ -66,6 +66,8 @@ class CleanPassRun {
   void find_exterior_growing(const std::vector<Meeting>& meetings);
   void find_exterior_by_ray(const std::vector<Meeting>& meetings);
   void choose_pieces(const std::vector<Meeting>& meetings);
+  void arrange_mesh(const std::vector<Meeting>& meetings, bool chooses);
+  void stitch();
   void keep_exterior_patches();
 
   const Mesh& mesh_;
@@ -174,6 +176,39 @@ void CleanPassRun::find_exterior_by_ray(const std::vector<Meeting>& meetings) {
   pass_.rays = arrangement_.pieces.size();
 }
 
+void CleanPassRun::arrange_mesh(const std::vector<Meeting>& meetings, bool chooses) {
+  if (options_.arranged && !options_.arranged->kept.empty()) {
+    arrangement_ = std::move(options_.arranged->arrangement);
+    kept_ = std::move(options_.arranged->kept);
+    whole_faces_ = options_.arranged->whole_faces;
+  } else if (chooses) {
+    choose_pieces(meetings);
+  } else if (options_.method == ExteriorMethod::static_test) {
+    find_exterior_by_ray(meetings);
+  } else {
+    find_exterior_growing(meetings);
+  }
+}
+
+// Changes which pieces are kept, and stitches these. `change_kept` may reverse pieces, so the
+// pieces for later clean passes are copied before.
+void CleanPassRun::stitch() {
+  ArrangedMesh before;
+  if (options_.arranged) {
+    before.arrangement.pieces = arrangement_.pieces;
+    before.arrangement.sources = arrangement_.sources;
+    before.kept = kept_;
+  }
+  if (options_.change_kept) options_.change_kept(arrangement_, kept_);
+  count_faces(mesh_, arrangement_, whole_faces_, kept_, borders_, pass_);
+  progress_("stitch");
+  if (!pass_.unchanged) pass_.assembly = assemble(mesh_, arrangement_, kept_);
+  if (!options_.arranged) return;
+  arrangement_.pieces = std::move(before.arrangement.pieces);
+  arrangement_.sources = std::move(before.arrangement.sources);
+  *options_.arranged = {std::move(arrangement_), std::move(before.kept), whole_faces_};
+}
+
 CleanPass CleanPassRun::run() {
   std::vector<Meeting> meetings;
   if (options_.chooser) options_.chooser->mark_open(*welded_);
@@ -193,22 +228,12 @@ CleanPass CleanPassRun::run() {
     pass_.unchanged = true;
     return std::move(pass_);
   }
-  if (chooses) {
-    choose_pieces(meetings);
-  } else if (is_static) {
-    find_exterior_by_ray(meetings);
-  } else {
-    find_exterior_growing(meetings);
-  }
+  arrange_mesh(meetings, chooses);
   if (std::find(kept_.begin(), kept_.end(), 1) == kept_.end() && chooses)
     throw GoalError(ErrorKind::no_positive_winding, "the result is empty: it encloses no point");
   if (std::find(kept_.begin(), kept_.end(), 1) == kept_.end())
     throw GoalError(nothing_kept(*welded_, has_surface_, options_.winding_level));
-  if (options_.change_kept) options_.change_kept(arrangement_, kept_);
-
-  count_faces(mesh_, arrangement_, whole_faces_, kept_, borders_, pass_);
-  progress_("stitch");
-  if (!pass_.unchanged) pass_.assembly = assemble(mesh_, arrangement_, kept_);
+  stitch();
   return std::move(pass_);
 }
 

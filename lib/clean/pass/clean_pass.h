@@ -43,6 +43,13 @@ struct CleanPass {
   Assembly assembly;  ///< the result; empty if `unchanged` is set
 };
 
+/// The arrangement of a mesh, and the pieces that a clean pass keeps before `change_kept`.
+struct ArrangedMesh {
+  Arrangement arrangement;
+  std::vector<char> kept;
+  std::size_t whole_faces = 0;
+};
+
 struct CleanPassOptions {
   int winding_level = 1;
   ExteriorMethod method = ExteriorMethod::grow;
@@ -56,6 +63,9 @@ struct CleanPassOptions {
   /// Faces that are not tested with each other, because an earlier search has done that. May be
   /// null.
   const DisjointFaces* disjoint = nullptr;
+  /// Taken instead of arranging the mesh, unless it is empty; filled otherwise. Clean passes that
+  /// share it must differ only in `change_kept`, which must be set. May be null.
+  ArrangedMesh* arranged = nullptr;
   /// Number type of the input, in which the result will be stored after the clean pass.
   Scalar coordinate = Scalar::float64;
 };

@@ -101,7 +101,7 @@ class SnapRounder {
   void begin_anew();
   void drop_collapsed();
   void mend();
-  bool clean_again(bool gives_cells, int winding_level = 1, const PieceChooser* chooser = nullptr);
+  bool clean_again(bool gives_cells, ArrangedMesh* input = nullptr);
   bool has_changed() const;
   void count_faces(const std::vector<char>& was_whole);
   [[noreturn]] void give_up() const;
@@ -122,6 +122,7 @@ class SnapRounder {
   bool is_restarted_ = false;
   bool moves_to_grids_ = true;  ///< vertices move to grids: false after one restart, true after two
   std::optional<Vec3> place_;   ///< a corner of the first broken face
+  ArrangedMesh input_;          ///< kept from the first restart for the second
   SnapRoundingResult result_;
 };
 
@@ -180,10 +181,13 @@ void SnapRounder::mend() {
   is_mended(flip_slivers(assembly_, around(), flat_steps, grids_, moved));
 }
 
-// Runs a clean pass on the rounded mesh. Returns true if the result needs no further rounding.
-bool SnapRounder::clean_again(bool gives_cells, int winding_level, const PieceChooser* chooser) {
+// Runs a clean pass on the rounded mesh, or on the input if `input` is not null. Returns true if
+// the result needs no further rounding.
+bool SnapRounder::clean_again(bool gives_cells, ArrangedMesh* input) {
   const std::size_t most_pairs = most_pairs_share * (first_.pairs + mesh_.faces.size());
-  CleanPassOptions options{winding_level, options_.method, false, chooser, {}, most_pairs};
+  CleanPassOptions options{1, options_.method, false, nullptr, {}, most_pairs};
+  if (input) options.winding_level = options_.winding_level, options.chooser = options_.chooser;
+  options.arranged = input;
   options.coordinate = options_.coordinate;
   options.disjoint = &disjoint_;
   const std::vector<std::uint8_t> levels = grids_.levels_of_faces(assembly_.mesh);
@@ -225,7 +229,7 @@ void SnapRounder::begin_anew() {
   for (Index f = 0; f < is_broken_.size(); ++f)
     if (is_broken_[f]) broken.push_back(f);
   for (int i = 0; i < doublings_in_vain; ++i) grids_.coarsen(mesh_, broken);
-  clean_again(true, options_.winding_level, options_.chooser);
+  clean_again(true, &input_);
 }
 
 // True if the number of broken faces did not decrease since the previous round.

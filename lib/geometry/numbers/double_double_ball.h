@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "support/elementary/double_double.h"
 
@@ -27,6 +28,15 @@ class DoubleDoubleBall {
   int sign() const {
     const double bound = error_ * slack;
     return value_.high > bound ? 1 : value_.high < -bound ? -1 : 0;
+  }
+
+  /// Returns the number rounded towards 0 to a double. Returns nothing if the error bound does not
+  /// determine it.
+  std::optional<double> truncated() const {
+    const double low = std::abs(value_.low);
+    if (!(low > error_ * slack) && !(low == 0 && error_ == 0)) return std::nullopt;
+    const bool is_above = value_.low != 0 && (value_.low > 0) != (value_.high > 0);
+    return is_above ? std::nextafter(value_.high, 0.0) : value_.high;
   }
 
   /// True if the number is exactly 0, without error.

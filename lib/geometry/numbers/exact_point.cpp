@@ -182,6 +182,11 @@ std::array<Index, 10> ExactGeometry::vertices_of(const PointDefinition& definiti
 Vec3 ExactGeometry::position(const ExactPoint& point) const {
   if ((point.radius.array() <= machine_epsilon / 2 * point.center.array().abs()).all())
     return point.center;
+  if (!point.exact) {
+    const auto& x = precise(point).x;
+    const std::array known = {x[0].truncated(), x[1].truncated(), x[2].truncated()};
+    if (known[0] && known[1] && known[2]) return {*known[0], *known[1], *known[2]};
+  }
   const ExactCoordinates& e = exact(point);
   return {quotient(e.x[0], e.w), quotient(e.x[1], e.w), quotient(e.x[2], e.w)};
 }

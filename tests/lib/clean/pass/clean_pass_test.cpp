@@ -71,6 +71,29 @@ TEST_CASE("with too many pairs only their number is reported") {
   CHECK(!pass_over(two_balls(), options).assembly.mesh.faces.empty());
 }
 
+TEST_CASE("a pass takes the arrangement of an earlier pass, which has removed other pieces") {
+  const auto pass_with = [](bool keeps, ArrangedMesh* arranged) {
+    CleanPassOptions options;
+    options.arranged = arranged;
+    options.change_kept = [keeps](Arrangement& arrangement, std::vector<char>& kept) {
+      for (std::size_t p = 0; p < kept.size() && !keeps; ++p) {
+        kept[p] = kept[p] ? 0 : 1;
+        reverse_piece(arrangement, arrangement.pieces[p]);
+      }
+    };
+    return pass_over(two_balls(), options).assembly.mesh;
+  };
+  ArrangedMesh arranged;
+  const Mesh inner = pass_with(false, &arranged);
+  REQUIRE(!arranged.kept.empty());
+  const Vec3* points = arranged.arrangement.cut_positions.data();
+  const Mesh outer = pass_with(true, &arranged);
+  CHECK(points == arranged.arrangement.cut_positions.data());
+  CHECK(outer.positions == pass_with(true, nullptr).positions);
+  CHECK(outer.faces == pass_with(true, nullptr).faces);
+  CHECK(inner.faces != outer.faces);
+}
+
 TEST_CASE("an open mesh is reported, and static refuses it") {
   CHECK(pass_over(test::grid(3)).is_open);
   CleanPassOptions options;

@@ -25,6 +25,34 @@ double some_number(test::Random& random, int exponents) {
 
 }  // namespace
 
+TEST_CASE("quotients are rounded towards 0, or unknown if they are too close to a double") {
+  test::Random random(4);
+  int known = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const int exponents = i % 2 == 0 ? 3 : 130;
+    const double a = some_number(random, exponents), b = some_number(random, exponents);
+    const double c = some_number(random, exponents);
+    if (c == 0) continue;
+    const auto rounded =
+        (DoubleDoubleBall(a) * DoubleDoubleBall(b) / DoubleDoubleBall(c)).truncated();
+    if (!rounded) continue;
+    ++known;
+    const Rational truth = abs(Rational(a) * Rational(b) / Rational(c));
+    const double size = std::abs(*rounded);
+    REQUIRE(Rational(size) <= truth);
+    REQUIRE(Rational(std::nextafter(size, HUGE_VAL)) > truth);
+    REQUIRE((*rounded == 0 ||
+             sign_of(Rational(a) * Rational(b) * Rational(c)) == (*rounded > 0 ? 1 : -1)));
+  }
+  CHECK(known > 10000);
+  CHECK(!DoubleDoubleBall::unknown().truncated());
+  CHECK(DoubleDoubleBall(0.1).truncated() == 0.1);
+  const DoubleDoubleBall one(1), tiny(0x1p-80);
+  CHECK((one + tiny).truncated() == 1);
+  CHECK((one - tiny).truncated() == std::nextafter(1, 0));
+  CHECK((tiny - one).truncated() == -std::nextafter(1, 0));
+}
+
 TEST_CASE("signs from balls are right, and known for all but the closest cases") {
   test::Random random(3);
   int told = 0, near = 0;
