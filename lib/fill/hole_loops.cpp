@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "geometry/numbers/predicates.h"
@@ -195,8 +196,10 @@ void LoopWalk::walk(Index h) {
 /// Returns the unused border halfedge at the end of `h` at the least angle across the hole.
 Index LoopWalk::continuation(Index h) const {
   const Index node = nodes_.at(next_halfedge(h));
-  const auto leaving =
-      std::ranges::equal_range(leaving_, node, {}, &std::pair<Index, Index>::first);
+  const auto first = std::lower_bound(leaving_.begin(), leaving_.end(), std::pair(node, Index{0}));
+  const auto last = std::lower_bound(first, leaving_.end(), std::pair(node + 1, Index{0}));
+  const std::span<const std::pair<Index, Index>> leaving(
+      leaving_.data() + (first - leaving_.begin()), static_cast<std::size_t>(last - first));
   if (leaving.size() == 1) return leaving.front().second;
   Vec3 normal = Vec3::Zero();
   for (const auto& [same, out] : leaving) normal += nodes_.normals[nodes_.umbrellas.of_corner[out]];
