@@ -30,6 +30,9 @@ std::string in_words_of(const SurfaceDoubt& doubt) {
   const auto thin = std::ranges::find_if(places, &DoubtfulPlace::is_thin);
   if (thin != places.end())
     return "photographs disagree on a thin sheet or fin around " + in_words(*thin);
+  if (!doubt.unobserved_fins.empty())
+    return "fewer than two photographs show a thin sheet or fin around " +
+           in_words(doubt.unobserved_fins.front());
   if (doubt.share > most_doubtful)
     return "photographs disagree on " + fixed(100 * doubt.share, 1) +
            " % of the surface, most around " + in_words(doubt.places.front());

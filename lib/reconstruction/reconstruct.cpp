@@ -16,6 +16,7 @@
 #include "reconstruction/better_parts.h"
 #include "reconstruction/carving.h"
 #include "reconstruction/convergence.h"
+#include "reconstruction/fin_trial.h"
 #include "reconstruction/first_scale.h"
 #include "reconstruction/handle_trial.h"
 #include "reconstruction/image_scales.h"
@@ -139,6 +140,7 @@ class ReconstructionLoop : public Loop {
                   std::optional<int> iterations = std::nullopt);
   bool carves(Document& document, const Progress& progress);
   bool tries_without_handles(Document& document, const Progress& progress);
+  bool tries_without_fins(Document& document, const Progress& progress);
   bool begin_robust();
   void begin_next_scale(Document& document, const Progress& progress);
   std::size_t pixels_compared(const Document& document, const Progress& progress) const {
@@ -159,6 +161,7 @@ class ReconstructionLoop : public Loop {
   ScaleRule rule_;
   ReconstructionFaults faults_;
   bool is_carved_ = false;  ///< true if the sweeps before carving are finished at the current scale
+  bool has_tried_fins_ = false;  ///< true after the call of try_without_fins()
   double loss_ = 0;
   double stiffness_ = 1;     ///< factor by which the stiffness of the options is multiplied
   std::size_t handles_ = 0;  ///< number of removed handles
@@ -170,7 +173,7 @@ class ReconstructionLoop : public Loop {
 void ReconstructionLoop::start(Document& document, const Progress& progress) {
   document = initial_;
   document.mesh.vertex_columns.erase(doubt_column);
-  is_carved_ = false;
+  is_carved_ = has_tried_fins_ = false;
   coarsen(document, scale_steps_[scale_step_].edge, progress);
 }
 
@@ -280,7 +283,8 @@ void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
   const bool may_go_on = !is_carved_ && is_last_scale() && !verdict.is_lost;
   if (carves(document, progress) || tries_without_handles(document, progress)) return;
   if (may_go_on && !verdict.is_at_rest) return;
-  if (!begin_robust()) begin_next_scale(document, progress);
+  if (!begin_robust() && !tries_without_fins(document, progress))
+    begin_next_scale(document, progress);
 }
 
 // Calls carve() (carving.h) once per scale. Returns true if the surface changed and thus needs more
@@ -349,6 +353,26 @@ bool ReconstructionLoop::tries_without_handles(Document& document, const Progres
   sweep_ = kept;
   handles_ = handles;
   return false;
+}
+
+// Calls try_without_fins() (fin_trial.h) once, at the end of the last scale. Returns true if the
+// surface changed and thus needs more sweeps.
+bool ReconstructionLoop::tries_without_fins(Document& document, const Progress& progress) {
+  // A given mesh may show what photographs do not. Without exact masks, no outline proves a fin.
+  if (!is_last_scale() || std::exchange(has_tried_fins_, true) || options_.initial.is_given ||
+      !photographs_.has_exact_outlines() || !check_manifold(document.mesh).is_closed())
+    return false;
+  const double scale = scale_steps_[scale_step_].scale;
+  const bool is_changed = try_without_fins(
+      document, photographs_.pixel(),
+      {[&](const Mesh& mesh) { return photographs_.carving_evidence(mesh, scale, progress); },
+       [&](Document& tried) { clean_in_place(tried, progress); }},
+      progress);
+  if (!is_changed) return false;
+  if (options_.on_detail)
+    options_.on_detail("thin sheets or fins that fewer than two photographs show were removed");
+  rule_.begin();
+  return true;
 }
 
 // After the last scale, once, begins further sweeps with a robust loss (robust_loss()). Returns
@@ -440,7 +464,7 @@ void ReconstructionLoop::remember(LoopState& loop_state) {
   rule_.remember(loop_state);
   faults_.remember(loop_state);
   loop_state("first", first_)("level", scale_step_)("loss", loss_)("stiffness", stiffness_);
-  loop_state("handles", handles_)("carved", is_carved_);
+  loop_state("handles", handles_)("carved", is_carved_)("fins", has_tried_fins_);
 }
 
 void ReconstructionLoop::measure(CsvRow& row) const {

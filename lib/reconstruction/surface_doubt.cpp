@@ -1,7 +1,9 @@
 #include "reconstruction/surface_doubt.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <utility>
 
 #include "mesh/local_measures.h"
 #include "reconstruction/place_loops.h"
@@ -36,6 +38,18 @@ bool is_thin(const std::vector<Index>& vertices, const std::vector<double>& thic
   const auto thin =
       std::count_if(vertices.begin(), vertices.end(), [&](Index v) { return thickness[v] < most; });
   return 2 * static_cast<std::size_t>(thin) > vertices.size();
+}
+
+/// Returns the thickness between unobserved sheets, up to twice `thin_px`; empty if there are none.
+std::vector<double> thickness_of_unobserved(const Mesh& mesh, const std::vector<bool>& is_observed,
+                                            double pixel, const Progress& progress) {
+  Target unobserved;
+  unobserved.mesh.positions = mesh.positions;
+  for (const Face& face : mesh.faces)
+    if (std::none_of(face.begin(), face.end(), [&](Index v) { return is_observed[v]; }))
+      unobserved.mesh.faces.push_back(face);
+  if (unobserved.mesh.faces.empty()) return {};
+  return local_thickness(unobserved, 2 * thin_px * pixel, progress, BallSides::inside);
 }
 
 void find_places(const Mesh& mesh, const UniformLaplacian& laplacian, std::vector<bool> is_doubtful,
@@ -84,6 +98,28 @@ std::vector<Index> take_connected(Index first, const UniformLaplacian& laplacian
   return part;
 }
 
+std::vector<std::vector<Index>> unobserved_fins(const Mesh& mesh,
+                                                const std::vector<WindowSums>& sums, double pixel,
+                                                const Progress& progress) {
+  const UniformLaplacian laplacian(mesh);
+  std::vector<bool> is_observed;
+  for (const WindowSums& around : spread(sums, laplacian, doubt_rings))
+    is_observed.push_back(around.weight > 0);
+  const std::vector<double> thickness = thickness_of_unobserved(mesh, is_observed, pixel, progress);
+  std::vector<bool> is_narrow;
+  for (const double width : thickness) is_narrow.push_back(std::isfinite(width));
+  const std::vector<double> areas = vertex_areas(mesh);
+  std::vector<std::vector<Index>> fins;
+  for (Index v = 0; v < is_narrow.size(); ++v) {
+    if (!is_narrow[v]) continue;
+    std::vector<Index> part = take_connected(v, laplacian, is_narrow);
+    double thin_area = 0;
+    for (const Index u : part) thin_area += thickness[u] < thin_px * pixel ? areas[u] : 0;
+    if (thin_area >= least_area_px * pixel * pixel) fins.push_back(std::move(part));
+  }
+  return fins;
+}
+
 SurfaceDoubt surface_doubt(const Mesh& mesh, const PhotoScene& scene, double least_cosine,
                            const PhotoconsistencyOptions& options, const Progress& progress) {
   const Disagreement found = disagreement(mesh, scene, least_cosine, options, progress);
@@ -106,6 +142,8 @@ SurfaceDoubt surface_doubt(const Mesh& mesh, const PhotoScene& scene, double lea
   for (std::size_t v = 0; v < areas.size(); ++v) seen += around[v].weight > 0 ? areas[v] : 0;
   for (const DoubtfulPlace& place : doubt.places)
     doubt.share += place.area * scene.pixel * scene.pixel / seen;
+  for (const auto& fin : unobserved_fins(mesh, found.of_vertex, scene.pixel, progress))
+    doubt.unobserved_fins.push_back(measured_place(mesh, fin, areas, scene.pixel));
   doubt.sums = found.of_vertex;
   return doubt;
 }

@@ -26,6 +26,8 @@ struct SurfaceDoubt {
   std::vector<double> of_vertex;  ///< doubt of each vertex, rounded to six digits
   /// Doubtful places of at least 25 squared pixels, the largest first.
   std::vector<DoubtfulPlace> places;
+  /// Thin places that fewer than two views observe (unobserved_fins()).
+  std::vector<DoubtfulPlace> unobserved_fins;
   double share = 0;         ///< area of the doubtful places, as a fraction of the visible area
   double disagreement = 0;  ///< disagreement beyond noise, over all windows (WindowSums::excess)
   double floor = 0;         ///< mean dissimilarity that would result from noise alone
@@ -48,6 +50,14 @@ std::vector<WindowSums> spread(std::vector<WindowSums> sums, const UniformLaplac
 /// marks.
 std::vector<Index> take_connected(Index first, const UniformLaplacian& laplacian,
                                   std::vector<bool>& is_marked);
+
+/// Returns the vertices of each thin sheet or fin. Fewer than two views observe each of its sides.
+/// `sums` is Disagreement::of_vertex. A fin is a connected set of unobserved vertices where the
+/// surface is less than twelve pixels thick. It is less than six pixels thick on an area of at
+/// least 25 squared pixels. Gaps and observed opposite sheets do not count.
+std::vector<std::vector<Index>> unobserved_fins(const Mesh& mesh,
+                                                const std::vector<WindowSums>& sums, double pixel,
+                                                const Progress& progress = {});
 
 /// Measures a surface by photographs of full size: `scene` must have scale 1. Throws as
 /// disagreement() and local_thickness() do. Takes as long as disagreement(), and also

@@ -107,6 +107,17 @@ Search search_of(const KdTree& tree, const Target& target) {
   };
 }
 
+/// Returns a search that finds nothing if `sides` is `inside` and the center is outside of the
+/// surface.
+Search within(BallSides sides, const Search& closest) {
+  if (sides == BallSides::both) return closest;
+  return [closest](const Vec3& center, double distance,
+                   const Contact& contact) -> std::optional<Vec3> {
+    if ((center - contact.point).dot(contact.normal) > 0) return std::nullopt;
+    return closest(center, distance, contact);
+  };
+}
+
 /// Returns the least thickness at a contact, for its normal and for the normals of those faces
 /// whose normals differ from it.
 double least_width(const Mesh& mesh, const Contact& first, std::span<const Index> faces,
@@ -137,9 +148,10 @@ std::vector<Index> faces_that_contain(const Mesh& mesh, const Vec3& point) {
   return faces;
 }
 
-std::vector<double> thickness_of_mesh(const Mesh& mesh, FaceOrder order, double reach) {
+std::vector<double> thickness_of_mesh(const Mesh& mesh, FaceOrder order, double reach,
+                                      BallSides sides) {
   const ClosestPointQuery query(mesh, order);
-  const Search closest = search_of(query);
+  const Search closest = within(sides, search_of(query));
   const VertexFaces faces_at(mesh);
   const std::vector<Vec3> normals = vertex_normals(mesh);
   return measured(mesh.positions.size(), [&](Index v) {
@@ -149,14 +161,15 @@ std::vector<double> thickness_of_mesh(const Mesh& mesh, FaceOrder order, double 
 
 }  // namespace
 
-std::vector<double> local_thickness(const Target& target, double reach, const Progress& progress) {
+std::vector<double> local_thickness(const Target& target, double reach, const Progress& progress,
+                                    BallSides sides) {
   progress("gaps");
   const Mesh& mesh = target.mesh;
   if (target.is_mesh())
     return thickness_of_mesh(mesh, target.has_spatial_order ? FaceOrder::spatial : FaceOrder::any,
-                             reach);
+                             reach, sides);
   const KdTree tree(mesh.positions);
-  const Search closest = search_of(tree, target);
+  const Search closest = within(sides, search_of(tree, target));
   return measured(mesh.positions.size(), [&](Index v) {
     return width_at({mesh.positions[v], target.normals[v]}, reach, closest);
   });

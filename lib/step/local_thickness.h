@@ -21,12 +21,16 @@
 
 namespace transformesh {
 
+/// Sides of the surface on which balls are placed.
+enum class BallSides { both, inside };
+
 /// Returns the local thickness at each vertex of the target in input units, or infinity if it is
 /// not less than `reach`. Pre: `reach` > 0. If the target is a point set, the balls touch points
 /// instead of faces. The thickness is then too large by an amount that depends on the sampling
-/// density.
+/// density. Gaps do not count if `sides` is `inside`.
 std::vector<double> local_thickness(const Target& target, double reach,
-                                    const Progress& progress = Progress());
+                                    const Progress& progress = Progress(),
+                                    BallSides sides = BallSides::both);
 
 /// Returns the least local thickness near `place`. It is measured at the closest point on the
 /// target's faces, and at those corners of its face that are closer to `place` than `reach`. Cost:

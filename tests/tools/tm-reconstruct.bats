@@ -255,6 +255,21 @@ take_pocket() {
   [ "$(value components out.json) $(value genus out.json) $(value converged out.json)" = "1 7 true" ]
 }
 
+@test "a spike in the hole of a torus that fewer than two photographs show is cut off" {
+  tm-shape torus --faces 60000 | tm-clean -q -o truth.ply
+  mkdir images masks
+  tm-photograph --size 320x240 --ring 16 --write-images images --write-silhouettes masks -o par.txt truth.ply
+  torus=(tm-reconstruct --cameras par.txt --images images --silhouettes masks --no-provenance)
+  "${torus[@]}" --report out.json -v -o out.ply 2>messages
+  grep -q "fins that fewer than two photographs show were removed" messages
+  [ "$(value components out.json) $(value genus out.json) $(value converged out.json)" = "1 1 true" ]
+  pixel=$(value pixel_size out.json)
+  far=$(tm-compare --reference truth.ply out.ply | awk '/^hausdorff:/ { print $2 }')
+  below "$far" "$(awk -v pixel="$pixel" 'BEGIN { print 15 * pixel }')"
+  "${torus[@]}" --threads 1 -q -o again.ply
+  cmp again.ply out.ply
+}
+
 @test "the result is colored as tm-color does it, or gets a texture" {
   quick=("${reconstruct[@]}" --coarsest 4 --passes 1 --no-provenance -q)
   "${quick[@]}" -o plain.ply

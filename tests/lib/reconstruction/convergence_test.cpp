@@ -29,6 +29,9 @@ TEST_CASE("a surface at rest is not converged if masks or photographs disagree w
   evidence.doubt.share = 0.031;
   CHECK(at_rest.in_words(evidence) ==
         "photographs disagree on 3.1 % of the surface, most around 1,2,3 (400 square pixels)");
+  evidence.doubt.unobserved_fins = {{{7, 8, 9}, 50}};
+  CHECK(at_rest.in_words(evidence) ==
+        "fewer than two photographs show a thin sheet or fin around 7,8,9 (50 square pixels)");
   evidence.doubt.places[1].is_thin = true;
   CHECK(at_rest.in_words(evidence) ==
         "photographs disagree on a thin sheet or fin around 4,5,6e+04 (30 square pixels, thin)");

@@ -82,3 +82,44 @@ TEST_CASE("a surface that is too small is doubtful where it is visible") {
   CHECK(doubt.disagreement > 0.4);
   CHECK(doubt.share > 0.4);
 }
+
+TEST_CASE("a thin part is an unobserved fin unless two views observe one of its sides") {
+  constexpr double pixel = 0.01;
+  for (const double half_thickness : {0.02, 0.2}) {
+    Mesh mesh = icosphere(4);
+    for (Vec3& p : mesh.positions) p.z() *= half_thickness;
+    std::vector<WindowSums> sums(mesh.positions.size());
+    CHECK(unobserved_fins(mesh, sums, pixel).size() == (half_thickness < 0.1 ? 1 : 0));
+    for (std::size_t v = 0; v < sums.size(); ++v)
+      if (mesh.positions[v].z() > 0) sums[v].weight = 1;
+    CHECK(unobserved_fins(mesh, sums, pixel).empty());
+  }
+}
+
+TEST_CASE("both sides of a film with an observed rim are unobserved fins") {
+  Mesh mesh = icosphere(5);
+  std::vector<WindowSums> sums;
+  for (Vec3& p : mesh.positions) {
+    sums.push_back({std::hypot(p.x(), p.y()) > 0.8 ? 1.0 : 0.0, 0, 0});
+    p.z() *= 0.02;
+  }
+  CHECK(unobserved_fins(mesh, sums, 0.01).size() == 2);
+}
+
+TEST_CASE("an unobserved gap is no fin, and an observed part has none") {
+  Mesh other = ball(1);
+  for (Vec3& p : other.positions) p.z() += 2.02;
+  const Mesh mesh = with_part(ball(1), other);
+  CHECK(unobserved_fins(mesh, std::vector<WindowSums>(mesh.positions.size()), 0.1).empty());
+  CHECK(
+      unobserved_fins(mesh, std::vector<WindowSums>(mesh.positions.size(), {1, 0, 0}), 1).empty());
+}
+
+TEST_CASE("a thin plate outside of all images is reported as an unobserved fin") {
+  Mesh plate = icosphere(3);
+  for (Vec3& p : plate.positions) p = Vec3(0.3 * p.x(), 1.8 + 0.02 * p.y(), 0.3 * p.z());
+  CHECK(doubt_of(ball(1)).unobserved_fins.empty());
+  const SurfaceDoubt doubt = doubt_of(with_part(ball(1), plate));
+  REQUIRE(doubt.unobserved_fins.size() == 1);
+  CHECK((doubt.unobserved_fins.front().center - Vec3(0, 1.8, 0)).norm() < 0.01);
+}

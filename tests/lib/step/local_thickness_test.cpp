@@ -141,6 +141,14 @@ TEST_CASE("walls are narrow, corners, edges and curved places are not") {
   for (const double width : widths(test::torus(1, 0.4, 60, 30), 0.5)) CHECK(width == wide);
 }
 
+TEST_CASE("balls inside of a surface measure its walls, but not its gaps") {
+  const auto widths = [](const Mesh& mesh) {
+    return local_thickness(make_target(mesh), 0.5, {}, BallSides::inside);
+  };
+  for (const double width : widths(two_balls(0.1))) CHECK(width == wide);
+  for (const double width : widths(shell(0.1))) CHECK(width == Approx(0.1).epsilon(0.02));
+}
+
 TEST_CASE("a window is as narrow at its rim as inside, though all vertices are on sharp edges") {
   for (const double width : {0.3, 0.5, 0.51, 1.0}) {
     const Mesh plate = plate_with_window(width);
