@@ -54,7 +54,7 @@ distance_from_turned() {
   for integrator in euler midpoint rk4; do
     tm-evolve "$ball" -o $integrator.ply -q --time 1 --time-step 0.1 --report $integrator.json \
       --integrator $integrator --velocity "$once"
-    [ "$(value time $integrator.json)" = 1 ]
+    jq -e ".result.time == 1" $integrator.json
     [ "$(value iterations $integrator.json)" = 10 ]
     distance_from_turned $integrator.ply 1 >>distances
   done
