@@ -186,19 +186,20 @@ void Filler::fill(const std::vector<HoleLoop>& loops) {
 bool Filler::fill_opening(const std::vector<HoleLoop>& loops) {
   HoleLoop all;
   for (const HoleLoop& loop : loops) all.insert(all.end(), loop.begin(), loop.end());
-  if (is_too_large(all)) {
-    ++result_.holes;
-    result_.too_large.push_back(open_hole(all));
-    return true;
-  }
+  const bool is_large = is_too_large(all);
   std::vector<Index> faces;
   const HoleNeighborhood part = part_around(all, faces);
   std::vector<HoleLoop> borders = loops;
   for (HoleLoop& border : borders)
     for (Index& h : border) h = halfedge_in_neighborhood(faces, h);
-  HolePatches found = finer_patches(part.mesh, triangulate_opening(part.mesh, borders), finest());
+  HolePatches found = finer_patches(part.mesh, triangulate_opening(part.mesh, borders),
+                                    is_large ? PatchKind::plain : finest());
   round(found);
-  if (!try_patches(all, part, found)) return false;
+  // At the border of a flat sheet with holes no patch fits, because it would be on the sheet.
+  const auto fits_here = [&](const HolePatch& patch) { return fits(patch, part, false); };
+  if (!(is_large ? std::ranges::any_of(found.patches, fits_here) : try_patches(all, part, found)))
+    return false;
+  if (is_large) result_.too_large.push_back(open_hole(all));
   ++result_.holes;
   return true;
 }

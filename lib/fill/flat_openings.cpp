@@ -1,8 +1,8 @@
 #include "fill/flat_openings.h"
 
 #include <Eigen/Geometry>
-#include <optional>
 
+#include "geometry/numbers/predicates.h"
 #include "geometry/search/bvh.h"
 #include "io/polygons/planar_outline.h"
 #include "mesh/triangle.h"
@@ -12,7 +12,7 @@ namespace {
 
 /// Largest distance of an opening from the plane of its outer loop, as fraction of the diagonal of
 /// the loop's bounding box. Floats at 100,000 times the size of a part have distances of 0.5 %.
-/// With a much larger value, loops of curved borders would be grouped.
+/// If the value were much larger, curved openings would get patches in a plane.
 constexpr double flatness = 1e-2;
 
 /// The plane of a loop.
@@ -23,23 +23,15 @@ struct FlatLoop {
   bool is_flat = false;        ///< true if the loop lies nearly in its plane
 };
 
-/// Projects points to the coordinate plane that is most parallel to a plane. A loop that is
-/// counter-clockwise around the normal stays so.
-class Projection {
- public:
-  explicit Projection(const Vec3& normal) {
-    normal.cwiseAbs().maxCoeff(&axis_);
-    is_reversed_ = normal[axis_] < 0;
-  }
-  Eigen::Vector2d operator()(const Vec3& p) const {
-    const double x = p[(axis_ + 1) % 3], y = p[(axis_ + 2) % 3];
-    return is_reversed_ ? Eigen::Vector2d(y, x) : Eigen::Vector2d(x, y);
-  }
+/// Returns a projection in which loops that are counter-clockwise around the normal stay so.
+PlaneProjection projection_along(const Vec3& normal) {
+  Eigen::Index axis = 0;
+  normal.cwiseAbs().maxCoeff(&axis);
+  const int u = static_cast<int>((axis + 1) % 3), v = static_cast<int>((axis + 2) % 3);
+  return normal[axis] < 0 ? PlaneProjection{v, u} : PlaneProjection{u, v};
+}
 
- private:
-  Eigen::Index axis_ = 0;
-  bool is_reversed_ = false;
-};
+Eigen::Vector2d projected(const Vec3& point, PlaneProjection p) { return {point[p.u], point[p.v]}; }
 
 FlatLoop describe(const Mesh& mesh, const HoleLoop& loop) {
   FlatLoop flat;
@@ -63,14 +55,14 @@ FlatLoop describe(const Mesh& mesh, const HoleLoop& loop) {
 
 /// True if a point is a vertex of a loop, or inside of it in the projection: a ray crosses the loop
 /// an odd number of times.
-bool surrounds(const Mesh& mesh, const HoleLoop& loop, const Projection& projection,
+bool surrounds(const Mesh& mesh, const HoleLoop& loop, PlaneProjection projection,
                const Vec3& point) {
-  const Eigen::Vector2d p = projection(point);
+  const Eigen::Vector2d p = projected(point, projection);
   bool is_inside = false;
   for (const Index h : loop) {
     if (mesh.positions[halfedge_source(mesh, h)] == point) return true;
-    const Eigen::Vector2d a = projection(mesh.positions[halfedge_source(mesh, h)]);
-    const Eigen::Vector2d b = projection(mesh.positions[halfedge_target(mesh, h)]);
+    const Eigen::Vector2d a = projected(mesh.positions[halfedge_source(mesh, h)], projection);
+    const Eigen::Vector2d b = projected(mesh.positions[halfedge_target(mesh, h)], projection);
     if ((a.y() > p.y()) == (b.y() > p.y())) continue;
     const double x = a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
     is_inside ^= x > p.x();
@@ -85,7 +77,7 @@ bool is_within(const Mesh& mesh, const FlatLoop& inner, const HoleLoop& inner_lo
   if (!(inner.normal.dot(outer.normal) < -0.9) || !(inner.area < outer.area)) return false;
   const Vec3& center = mesh.positions[halfedge_source(mesh, outer_loop.front())];
   const double limit = flatness * outer.box.diagonal().stableNorm();
-  const Projection projection(outer.normal);
+  const PlaneProjection projection = projection_along(outer.normal);
   for (const Index h : inner_loop) {
     const Vec3& p = mesh.positions[halfedge_source(mesh, h)];
     if (std::abs(outer.normal.dot(p - center)) > limit) return false;
@@ -137,10 +129,10 @@ std::vector<std::vector<HoleLoop>> group_flat_openings(const Mesh& mesh,
 }
 
 std::vector<Face> triangulate_opening(const Mesh& mesh, const std::vector<HoleLoop>& loops) {
-  const Projection projection(describe(mesh, loops.front()).normal);
+  const PlaneProjection projection = projection_along(describe(mesh, loops.front()).normal);
   std::vector<Eigen::Vector2d> points;
   points.reserve(mesh.positions.size());
-  for (const Vec3& p : mesh.positions) points.push_back(projection(p));
+  for (const Vec3& p : mesh.positions) points.push_back(projected(p, projection));
   std::vector<std::vector<Index>> outlines;
   for (const HoleLoop& loop : loops) {
     std::vector<Index>& outline = outlines.emplace_back();

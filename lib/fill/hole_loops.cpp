@@ -140,10 +140,12 @@ Nodes find_nodes(const Mesh& mesh, const std::vector<Index>& border) {
   const BorderAngles angles(mesh, nodes.umbrellas, border);
   DisjointSets sets(count);
   for (const std::vector<Index>& group : groups)
-    for (const Index a : group)
-      for (const Index b : group)
-        if (nodes.normals[a].dot(nodes.normals[b]) > least_cosine || angles.are_neighbors(a, b))
-          sets.join(a, b);
+    for (auto a = group.begin(); a != group.end(); ++a)
+      for (auto b = a + 1; b != group.end(); ++b)
+        if (sets.find(*a) != sets.find(*b) &&
+            (nodes.normals[*a].dot(nodes.normals[*b]) > least_cosine ||
+             angles.are_neighbors(*a, *b)))
+          sets.join(*a, *b);
   for (Index u = 0; u < count; ++u) nodes.of_umbrella.push_back(sets.find(u));
   if (!groups.empty()) separate_coincident_edges(mesh, nodes);
   return nodes;
@@ -230,11 +232,23 @@ double LoopWalk::angle_across_hole(Index arriving, Index leaving, const Vec3& no
   return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
+/// Separates the umbrellas of a node between which no loop passes. Then few faces are at each
+/// vertex where many bodies touch.
+void separate_unconnected(const std::vector<HoleLoop>& loops, Nodes& nodes) {
+  DisjointSets sets(nodes.of_umbrella.size());
+  for (const HoleLoop& loop : loops)
+    for (std::size_t i = 0; i < loop.size(); ++i)
+      sets.join(nodes.umbrellas.of_corner[next_halfedge(loop[i])],
+                nodes.umbrellas.of_corner[loop[(i + 1) % loop.size()]]);
+  for (Index u = 0; u < nodes.of_umbrella.size(); ++u) nodes.of_umbrella[u] = sets.find(u);
+}
+
 }  // namespace
 
 std::vector<HoleLoop> join_touching_holes(Mesh& mesh, const std::vector<Index>& border) {
-  const Nodes nodes = find_nodes(mesh, border);
+  Nodes nodes = find_nodes(mesh, border);
   std::vector<HoleLoop> loops = LoopWalk(mesh, nodes, border).loops(border);
+  separate_unconnected(loops, nodes);
   mesh.faces = joined_faces(mesh, nodes);
   return loops;
 }
@@ -244,7 +258,10 @@ void separate_open_holes(Mesh& mesh, const std::vector<Face>& before) {
   for (Index u = 0; u < umbrellas.vertex_of.size(); ++u)
     if (const Index corner = umbrellas.first_corner[u]; corner / 3 < before.size())
       umbrellas.vertex_of[u] = before[corner / 3][corner % 3];
-  separate_umbrellas(mesh, umbrellas);
+  std::vector<char> stays(mesh.positions.size(), 1);
+  for (const Face& face : before)
+    for (const Index v : face) stays[v] = 0;
+  separate_umbrellas(mesh, umbrellas, stays);
 }
 
 }  // namespace transformesh

@@ -11,6 +11,20 @@ open_ball() {
     END { print n, m, 0; for (i = 0; i < n; ++i) print vertex[i]; for (i = 0; i < m; ++i) print face[i] }'
 }
 
+# sheet SQUARES: writes a flat sheet of 6 x 6 squares without the named ones.
+sheet() {
+  awk -v missing=" $1 " 'BEGIN {
+    for (i = 0; i < 36; ++i) if (!index(missing, " " i " ")) {
+      a = i + int(i / 6)
+      face[m++] = "3 " a " " a + 1 " " a + 8
+      face[m++] = "3 " a " " a + 8 " " a + 7
+    }
+    print "OFF"; print 49, m, 0
+    for (v = 0; v < 49; ++v) print v % 7, int(v / 7), 0
+    for (i = 0; i < m; ++i) print face[i]
+  }'
+}
+
 setup() {
   cd "$BATS_TEST_TMPDIR"
   open_ball | tm-stitch -q -o open.ply
@@ -60,12 +74,28 @@ setup() {
   tm-boolean difference block.off drill.off -o part.off
   tm-select --box -9,-9,-0.6,9,9,-0.4 --invert part.off |
     tm-transform --rotate 1,2,3,40 -o open.off
+  run --separate-stderr tm-fill --max-edges 5 open.off -o still.off
+  [[ $stderr == *"1 hole stays open, beyond the limits: "* ]] || fail "$stderr"
+  [ "$(tm-info --get faces still.off)" = "$(tm-info --get faces open.off)" ]
   for command in 'tm-fill --no-fair' 'tm-fill --no-refine' tm-repair; do
     $command open.off -o closed.off
     tm-checkmanifold --closed --intersections closed.off
     [ "$(tm-info --get genus closed.off)" -eq 1 ]
     tm-info --get volume closed.off | awk '{ exit !($1 > 21.999 && $1 < 22.001) }'
   done
+}
+
+@test "holes of a flat sheet within the limits are filled, and its border stays open" {
+  # Two holes of four edges, one of eight.
+  sheet '7 16 26 27 28' >sheet.off
+  for limit in '--max-edges 7' '--max-diameter 2'; do
+    # shellcheck disable=SC2086 # an option and its value
+    tm-fill --no-refine $limit --report r.json sheet.off -o filled.off
+    jq -e '.result | .holes == 4 and .filled == 2' r.json
+    tm-info --get area filled.off | awk '{ exit !($1 > 32.999 && $1 < 33.001) }'
+  done
+  tm-fill --no-refine --max-edges 8 sheet.off -o filled.off
+  tm-info --get area filled.off | awk '{ exit !($1 > 35.999 && $1 < 36.001) }'
 }
 
 @test "limits leave a hole open, which is reported with its place" {

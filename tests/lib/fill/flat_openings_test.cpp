@@ -13,7 +13,8 @@
 #include "transformesh/manifold.h"
 #include "transformesh/measure.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Returns the walls of a box without top and bottom. With `is_inward`, they are oriented inwards.
@@ -131,5 +132,3 @@ TEST_CASE("loops with the same direction, beside each other or in other planes, 
   CHECK(groups_of(test::joined(outer, walls({1, 1, 1}, {2, 2, 3}, true))).size() == 4);
   CHECK(groups_of(test::joined(outer, walls({1, 1, 0}, {2, 2, 4}, true))).size() == 2);
 }
-
-}  // namespace transformesh

@@ -15,7 +15,8 @@
 #include "transformesh/measure.h"
 #include "transformesh/stitch.h"
 
-namespace transformesh {
+using namespace transformesh;
+
 namespace {
 
 /// Returns a flat sheet of n x n squares without those for which is_missing(x, y) holds.
@@ -145,5 +146,3 @@ TEST_CASE("a ball without random faces becomes the ball") {
     }
   }
 }
-
-}  // namespace transformesh
