@@ -1,10 +1,13 @@
 #include "fill/flat_openings.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "geometry/numbers/predicates.h"
 #include "geometry/search/bvh.h"
 #include "io/polygons/planar_outline.h"
+#include "mesh/disjoint_sets.h"
+#include "mesh/edges.h"
 #include "mesh/triangle.h"
 
 namespace transformesh {
@@ -15,23 +18,54 @@ namespace {
 /// If the value were much larger, curved openings would get patches in a plane.
 constexpr double flatness = 1e-2;
 
+/// The same fraction for openings around islands. A spherical cap of 53 degrees around its center
+/// has a height of a quarter of its diameter. If the value were much larger, the rims of bodies
+/// that only face each other would be joined.
+constexpr double island_flatness = 0.25;
+
+/// Least cosine of the angle between the normals of an island's rim and of the opening. It is 0.6
+/// at the rim of that cap and 0 at walls.
+constexpr double least_facing = 0.5;
+
 /// The plane of a loop.
 struct FlatLoop {
   Eigen::AlignedBox3d box;
+  double diagonal = 0;         ///< of the box
   Vec3 normal = Vec3::Zero();  ///< unit normal of a patch for this loop alone
+  Vec3 center = Vec3::Zero();  ///< mean of the vertices
   double area = 0;             ///< twice the area in the plane
-  bool is_flat = false;        ///< true if the loop lies nearly in its plane
+  double height = 0;           ///< largest distance from the plane
+  bool is_flat() const { return area > 0 && height <= flatness * diagonal; }
 };
 
-/// Returns a projection in which loops that are counter-clockwise around the normal stay so.
-PlaneProjection projection_along(const Vec3& normal) {
+/// Two axes of a plane.
+struct Projection {
+  Vec3 u, v;
+  Eigen::Vector2d operator()(const Vec3& point) const { return {point.dot(u), point.dot(v)}; }
+};
+
+/// Returns a projection in which loops that are counter-clockwise around the normal stay so. In
+/// flat openings it drops a coordinate, so that nothing is rounded.
+Projection projection_along(const Vec3& normal, bool is_flat) {
+  if (!is_flat) {
+    const Vec3 u = normal.unitOrthogonal();
+    return {u, normal.cross(u)};
+  }
   Eigen::Index axis = 0;
   normal.cwiseAbs().maxCoeff(&axis);
-  const int u = static_cast<int>((axis + 1) % 3), v = static_cast<int>((axis + 2) % 3);
-  return normal[axis] < 0 ? PlaneProjection{v, u} : PlaneProjection{u, v};
+  const Vec3 u = Vec3::Unit((axis + 1) % 3), v = Vec3::Unit((axis + 2) % 3);
+  return normal[axis] < 0 ? Projection{v, u} : Projection{u, v};
 }
 
-Eigen::Vector2d projected(const Vec3& point, PlaneProjection p) { return {point[p.u], point[p.v]}; }
+/// Returns the largest distance of a loop from a plane.
+double height_above(const Mesh& mesh, const HoleLoop& loop, const FlatLoop& plane) {
+  double height = 0;
+  for (const Index h : loop) {
+    const Vec3& p = mesh.positions[halfedge_source(mesh, h)];
+    height = std::max(height, std::abs(plane.normal.dot(p - plane.center)));
+  }
+  return height;
+}
 
 FlatLoop describe(const Mesh& mesh, const HoleLoop& loop) {
   FlatLoop flat;
@@ -39,30 +73,29 @@ FlatLoop describe(const Mesh& mesh, const HoleLoop& loop) {
   Vec3 sum = Vec3::Zero();
   for (const Index h : loop) {
     flat.box.extend(mesh.positions[halfedge_source(mesh, h)]);
+    flat.center +=
+        (mesh.positions[halfedge_source(mesh, h)] - first) / static_cast<double>(loop.size());
     sum -= normal_of(first, mesh.positions[halfedge_source(mesh, h)],
                      mesh.positions[halfedge_target(mesh, h)]);
   }
+  flat.center += first;
+  flat.diagonal = flat.box.diagonal().stableNorm();
   flat.area = sum.stableNorm();
   flat.normal = sum.stableNormalized();
-  const double limit = flatness * flat.box.diagonal().stableNorm();
-  flat.is_flat = flat.area > 0;
-  for (const Index h : loop) {
-    const Vec3& p = mesh.positions[halfedge_source(mesh, h)];
-    if (std::abs(flat.normal.dot(p - first)) > limit) flat.is_flat = false;
-  }
+  flat.height = height_above(mesh, loop, flat);
   return flat;
 }
 
 /// True if a point is a vertex of a loop, or inside of it in the projection: a ray crosses the loop
 /// an odd number of times.
-bool surrounds(const Mesh& mesh, const HoleLoop& loop, PlaneProjection projection,
+bool surrounds(const Mesh& mesh, const HoleLoop& loop, const Projection& projected,
                const Vec3& point) {
-  const Eigen::Vector2d p = projected(point, projection);
+  const Eigen::Vector2d p = projected(point);
   bool is_inside = false;
   for (const Index h : loop) {
     if (mesh.positions[halfedge_source(mesh, h)] == point) return true;
-    const Eigen::Vector2d a = projected(mesh.positions[halfedge_source(mesh, h)], projection);
-    const Eigen::Vector2d b = projected(mesh.positions[halfedge_target(mesh, h)], projection);
+    const Eigen::Vector2d a = projected(mesh.positions[halfedge_source(mesh, h)]);
+    const Eigen::Vector2d b = projected(mesh.positions[halfedge_target(mesh, h)]);
     if ((a.y() > p.y()) == (b.y() > p.y())) continue;
     const double x = a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
     is_inside ^= x > p.x();
@@ -70,40 +103,80 @@ bool surrounds(const Mesh& mesh, const HoleLoop& loop, PlaneProjection projectio
   return is_inside;
 }
 
-/// True if the inner loop has the opposite direction, and lies in the plane of the outer loop and
-/// inside of it.
-bool is_within(const Mesh& mesh, const FlatLoop& inner, const HoleLoop& inner_loop,
-               const FlatLoop& outer, const HoleLoop& outer_loop) {
-  if (!(inner.normal.dot(outer.normal) < -0.9) || !(inner.area < outer.area)) return false;
-  const Vec3& center = mesh.positions[halfedge_source(mesh, outer_loop.front())];
-  const double limit = flatness * outer.box.diagonal().stableNorm();
-  const PlaneProjection projection = projection_along(outer.normal);
-  for (const Index h : inner_loop) {
-    const Vec3& p = mesh.positions[halfedge_source(mesh, h)];
-    if (std::abs(outer.normal.dot(p - center)) > limit) return false;
-    if (!surrounds(mesh, outer_loop, projection, p)) return false;
-  }
-  return true;
+/// Returns sets of faces that are connected across edges.
+DisjointSets edge_connected_parts(const Mesh& mesh) {
+  DisjointSets parts(mesh.faces.size());
+  const Edges edges(mesh);
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    for (const Index h : edges.halfedges(e)) parts.join(edges.halfedges(e)[0] / 3, h / 3);
+  return parts;
 }
 
-/// Returns for each loop the smallest loop around it, or no_index.
-std::vector<Index> outer_loops(const Mesh& mesh, const std::vector<HoleLoop>& loops) {
-  std::vector<Index> outer(loops.size(), no_index);
-  std::vector<FlatLoop> flat;
-  const BoxFrame frame(mesh.positions);
-  std::vector<FloatBox> boxes;
-  for (const HoleLoop& loop : loops) {
-    flat.push_back(describe(mesh, loop));
-    boxes.push_back(frame.box(flat.back().box.min(), flat.back().box.max()));
+/// Finds the loops that are within others.
+class Nesting {
+ public:
+  Nesting(const Mesh& mesh, const std::vector<HoleLoop>& loops)
+      : mesh_(mesh), loops_(loops), parts_(edge_connected_parts(mesh)) {
+    for (const HoleLoop& loop : loops) flat_.push_back(describe(mesh, loop));
   }
-  const Bvh tree(boxes);
-  for (Index i = 0; i < loops.size(); ++i) {
+
+  /// Returns for each loop the smallest loop around it, or no_index.
+  std::vector<Index> outer_loops();
+
+ private:
+  bool is_island(Index inner, Index outer);
+  bool is_within(Index inner, Index outer);
+
+  const Mesh& mesh_;
+  const std::vector<HoleLoop>& loops_;
+  std::vector<FlatLoop> flat_;
+  DisjointSets parts_;
+};
+
+/// True if the faces at the inner loop face in the direction of the opening, unlike the walls of a
+/// cavity, and the first of them is not connected, across edges, with a face at the outer loop.
+/// Islands may touch the outer loop at vertices.
+bool Nesting::is_island(Index inner, Index outer) {
+  Vec3 sum = Vec3::Zero();
+  for (const Index h : loops_[inner]) {
+    const auto& [a, b, c] = triangle_of(mesh_, h / 3);
+    sum += normal_of(a, b, c).stableNormalized();
+  }
+  if (!(sum.stableNormalized().dot(flat_[outer].normal) > least_facing)) return false;
+  const Index part = parts_.find(loops_[inner].front() / 3);
+  return std::ranges::none_of(loops_[outer], [&](Index h) { return parts_.find(h / 3) == part; });
+}
+
+/// True if the inner loop has the opposite direction, and lies inside of the outer loop in its
+/// plane. Islands may be off the plane, as on a curved surface.
+bool Nesting::is_within(Index inner, Index outer) {
+  const FlatLoop &in = flat_[inner], &out = flat_[outer];
+  if (!(in.normal.dot(out.normal) < -0.9) || !(in.area < out.area)) return false;
+  const double height = std::max(out.height, height_above(mesh_, loops_[inner], out));
+  if (height > flatness * out.diagonal &&
+      (height > island_flatness * out.diagonal || !is_island(inner, outer)))
+    return false;
+  const Projection projection = projection_along(out.normal, out.is_flat());
+  return std::ranges::all_of(loops_[inner], [&](Index h) {
+    return surrounds(mesh_, loops_[outer], projection, mesh_.positions[halfedge_source(mesh_, h)]);
+  });
+}
+
+std::vector<Index> Nesting::outer_loops() {
+  std::vector<Index> outer(loops_.size(), no_index);
+  const BoxFrame frame(mesh_.positions);
+  std::vector<FloatBox> boxes, around;
+  for (const FlatLoop& flat : flat_) {
+    const Vec3 margin = Vec3::Constant(island_flatness * flat.diagonal);
+    boxes.push_back(frame.box(flat.box.min(), flat.box.max()));
+    around.push_back(frame.box(flat.box.min() - margin, flat.box.max() + margin));
+  }
+  const Bvh tree(around);
+  for (Index i = 0; i < loops_.size(); ++i) {
     tree.visit_overlaps(boxes[i], [&](Index o) {
-      const bool is_smaller = outer[i] == no_index || flat[o].area < flat[outer[i]].area ||
-                              (flat[o].area == flat[outer[i]].area && o < outer[i]);
-      if (o != i && flat[o].is_flat && is_smaller &&
-          is_within(mesh, flat[i], loops[i], flat[o], loops[o]))
-        outer[i] = o;
+      const bool is_smaller = outer[i] == no_index || flat_[o].area < flat_[outer[i]].area ||
+                              (flat_[o].area == flat_[outer[i]].area && o < outer[i]);
+      if (o != i && is_smaller && is_within(i, o)) outer[i] = o;
       return true;
     });
   }
@@ -114,7 +187,7 @@ std::vector<Index> outer_loops(const Mesh& mesh, const std::vector<HoleLoop>& lo
 
 std::vector<std::vector<HoleLoop>> group_flat_openings(const Mesh& mesh,
                                                        std::vector<HoleLoop> loops) {
-  const std::vector<Index> outer = outer_loops(mesh, loops);
+  const std::vector<Index> outer = Nesting(mesh, loops).outer_loops();
   std::vector<std::vector<HoleLoop>> groups(loops.size());
   // A loop that is within another one is no outer loop.
   const auto root = [&](Index i) {
@@ -129,10 +202,11 @@ std::vector<std::vector<HoleLoop>> group_flat_openings(const Mesh& mesh,
 }
 
 std::vector<Face> triangulate_opening(const Mesh& mesh, const std::vector<HoleLoop>& loops) {
-  const PlaneProjection projection = projection_along(describe(mesh, loops.front()).normal);
+  const FlatLoop flat = describe(mesh, loops.front());
+  const Projection projected = projection_along(flat.normal, flat.is_flat());
   std::vector<Eigen::Vector2d> points;
   points.reserve(mesh.positions.size());
-  for (const Vec3& p : mesh.positions) points.push_back(projected(p, projection));
+  for (const Vec3& p : mesh.positions) points.push_back(projected(p));
   std::vector<std::vector<Index>> outlines;
   for (const HoleLoop& loop : loops) {
     std::vector<Index>& outline = outlines.emplace_back();

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
 #include "transformesh/fill.h"
 #include "transformesh/intersect.h"
@@ -115,6 +116,48 @@ TEST_CASE("an opening may touch faces within it at vertices") {
     CHECK(find_intersections(filled).empty());
     CHECK(volume(filled) == doctest::Approx(36));
   }
+}
+
+TEST_CASE("an island in a hole of a ball is joined by one smooth patch") {
+  const Mesh ball = test::icosphere(4);
+  const auto height = [&](const Face& face) {
+    const auto& [a, b, c] = face;
+    return (ball.positions[a] + ball.positions[b] + ball.positions[c]).normalized().z();
+  };
+  for (const auto& [low, high] : {std::pair(0.75, 0.95), std::pair(0.9, 0.995)}) {
+    CAPTURE(low);
+    Mesh mesh = ball;
+    std::erase_if(mesh.faces,
+                  [&](const Face& face) { return height(face) > low && height(face) < high; });
+    mesh = rotated(mesh, 1);
+    CHECK(groups_of(mesh).size() == 1);
+    const FillResult result = fill_holes(mesh);
+    CHECK(result.holes == 1);
+    CHECK(result.faired == 1);
+    CHECK(check_manifold(mesh).is_manifold());
+    CHECK(check_manifold(mesh).is_closed());
+    CHECK(find_intersections(mesh).empty());
+    CHECK(test::signed_volume(mesh) == doctest::Approx(test::signed_volume(ball)).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("an island that touches the rim of a curved hole at a vertex does not become a body") {
+  // One of the cells that are left in the hole shares a vertex with the rim.
+  Mesh mesh = test::grid(9);
+  for (Vec3& p : mesh.positions)
+    p.z() = 2 - 2 * (p.head<2>() - Eigen::Vector2d(0.5, 0.5)).squaredNorm();
+  std::erase_if(mesh.faces, [&](const Face& face) {
+    const auto& [a, b, c] = face;
+    const Vec3 middle = (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3;
+    const int x = static_cast<int>(9 * middle.x()), y = static_cast<int>(9 * middle.y());
+    const bool is_kept = (x == 4 && y == 4) || (x == 2 && y == 2);
+    return std::max(std::abs(x - 4), std::abs(y - 4)) <= 2 && !is_kept;
+  });
+  CHECK(groups_of(mesh).size() == 2);
+  const FillResult result = fill_holes(mesh, {.max_edges = 30});
+  CHECK(result.filled() == 1);
+  CHECK(check_manifold(mesh).boundary_loops == 1);
+  CHECK(find_intersections(mesh).empty());
 }
 
 TEST_CASE("rounded coordinates far from the origin do not separate the loops of an opening") {
