@@ -30,7 +30,7 @@ constexpr double least_facing = 0.5;
 /// The plane of a loop.
 struct FlatLoop {
   Eigen::AlignedBox3d box;
-  double diagonal = 0;         ///< of the box
+  double diagonal = 0;         ///< length of the diagonal of the box
   Vec3 normal = Vec3::Zero();  ///< unit normal of a patch for this loop alone
   Vec3 center = Vec3::Zero();  ///< mean of the vertices
   double area = 0;             ///< twice the area in the plane
@@ -134,8 +134,8 @@ class Nesting {
 };
 
 /// True if the faces at the inner loop face in the direction of the opening, unlike the walls of a
-/// cavity, and the first of them is not connected, across edges, with a face at the outer loop.
-/// Islands may touch the outer loop at vertices.
+/// cavity, and no edges connect the first of them with a face at the outer loop. Islands may touch
+/// the outer loop at vertices.
 bool Nesting::is_island(Index inner, Index outer) {
   Vec3 sum = Vec3::Zero();
   for (const Index h : loops_[inner]) {
