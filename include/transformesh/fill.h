@@ -1,5 +1,5 @@
 /// Closes the holes of a mesh. Each border loop gets a patch that is triangulated, refined and
-/// faired; a flat opening with loops in it gets one patch. A patch is rejected if it intersects the
+/// faired; an opening with loops in it gets one patch. A patch is rejected if it intersects the
 /// mesh, an earlier patch or itself, or has a face without area. Then patches without fairing or
 /// refinement, and with another triangulation, are tried. If none fits, the hole stays open.
 /// Intersections, except those of the input, are decided exactly in coordinates as written.

@@ -51,7 +51,7 @@ class Filler {
         search_(mesh),
         blends_(mesh.positions.size()) {}
 
-  /// Fills a hole; only a flat opening has several loops.
+  /// Fills a hole; only openings of flat_openings.h have several loops.
   void fill(const std::vector<HoleLoop>& loops);
   /// Adds the attributes (column rows) of the new vertices and faces, and returns the result.
   FillResult finish();

@@ -35,7 +35,6 @@ struct FlatLoop {
   Vec3 center = Vec3::Zero();  ///< mean of the vertices
   double area = 0;             ///< twice the area in the plane
   double height = 0;           ///< largest distance from the plane
-  bool is_flat() const { return area > 0 && height <= flatness * diagonal; }
 };
 
 /// Two axes of a plane.
@@ -134,7 +133,7 @@ class Nesting {
 };
 
 /// True if the faces at the inner loop face in the direction of the opening, unlike the walls of a
-/// cavity, and no edges connect the first of them with a face at the outer loop. Islands may touch
+/// cavity. No edges may connect the first of them with a face at the outer loop. Islands may touch
 /// the outer loop at vertices.
 bool Nesting::is_island(Index inner, Index outer) {
   Vec3 sum = Vec3::Zero();
@@ -153,10 +152,10 @@ bool Nesting::is_within(Index inner, Index outer) {
   const FlatLoop &in = flat_[inner], &out = flat_[outer];
   if (!(in.normal.dot(out.normal) < -0.9) || !(in.area < out.area)) return false;
   const double height = std::max(out.height, height_above(mesh_, loops_[inner], out));
-  if (height > flatness * out.diagonal &&
-      (height > island_flatness * out.diagonal || !is_island(inner, outer)))
+  const bool is_flat = height <= flatness * out.diagonal;
+  if (!is_flat && (height > island_flatness * out.diagonal || !is_island(inner, outer)))
     return false;
-  const Projection projection = projection_along(out.normal, out.is_flat());
+  const Projection projection = projection_along(out.normal, is_flat);
   return std::ranges::all_of(loops_[inner], [&](Index h) {
     return surrounds(mesh_, loops_[outer], projection, mesh_.positions[halfedge_source(mesh_, h)]);
   });
@@ -202,8 +201,11 @@ std::vector<std::vector<HoleLoop>> group_flat_openings(const Mesh& mesh,
 }
 
 std::vector<Face> triangulate_opening(const Mesh& mesh, const std::vector<HoleLoop>& loops) {
-  const FlatLoop flat = describe(mesh, loops.front());
-  const Projection projected = projection_along(flat.normal, flat.is_flat());
+  const FlatLoop outer = describe(mesh, loops.front());
+  const bool is_flat = std::ranges::all_of(loops, [&](const HoleLoop& loop) {
+    return height_above(mesh, loop, outer) <= flatness * outer.diagonal;
+  });
+  const Projection projected = projection_along(outer.normal, is_flat);
   std::vector<Eigen::Vector2d> points;
   points.reserve(mesh.positions.size());
   for (const Vec3& p : mesh.positions) points.push_back(projected(p));
