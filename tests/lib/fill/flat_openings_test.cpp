@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "helpers/mesh_facts.h"
 #include "helpers/shapes.h"
@@ -139,6 +141,34 @@ TEST_CASE("an island in a hole of a ball is joined by one smooth patch") {
     CHECK(find_intersections(mesh).empty());
     CHECK(test::signed_volume(mesh) == doctest::Approx(test::signed_volume(ball)).epsilon(1e-3));
   }
+}
+
+TEST_CASE("the direction of a flat rim does not matter for an island above it") {
+  // Rings of a ball around (1, 1, 1), each 10 degrees wide; those from 20 to 60 degrees are
+  // missing.
+  const Vec3 axis = Vec3::Ones().normalized(), u = axis.unitOrthogonal(), v = axis.cross(u);
+  constexpr int sides = 24;
+  Mesh mesh;
+  for (int ring = 0; ring <= 18; ++ring)
+    for (int k = 0; k < (ring % 18 == 0 ? 1 : sides); ++k) {
+      const double polar = ring * std::numbers::pi / 18, turn = 2 * std::numbers::pi * k / sides;
+      mesh.positions.push_back(std::cos(polar) * axis +
+                               std::sin(polar) * (std::cos(turn) * u + std::sin(turn) * v));
+    }
+  const auto at = [](int ring, int k) {
+    return ring == 0    ? Index{0}
+           : ring == 18 ? Index{1 + 17 * sides}
+                        : static_cast<Index>(1 + (ring - 1) * sides + k % sides);
+  };
+  for (int ring = 0; ring < 18; ++ring)
+    for (int k = 0; k < sides && (ring < 2 || ring >= 6); ++k) {
+      if (ring < 17) mesh.faces.push_back({at(ring, k), at(ring + 1, k), at(ring + 1, k + 1)});
+      if (ring > 0) mesh.faces.push_back({at(ring, k), at(ring + 1, k + 1), at(ring, k + 1)});
+    }
+  CHECK(groups_of(mesh).size() == 1);
+  CHECK(fill_holes(mesh).faired == 1);
+  CHECK(check_manifold(mesh).is_closed());
+  CHECK(test::signed_volume(mesh) == doctest::Approx(4.189).epsilon(0.03));
 }
 
 TEST_CASE("an island that touches the rim of a curved hole at a vertex does not become a body") {
