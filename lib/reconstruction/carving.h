@@ -28,7 +28,8 @@ struct CarvingEvidence {
 
 struct CarvingStages {
   std::function<CarvingEvidence(const Mesh&)> measure;
-  std::function<void(Document&)> sweep;   ///< cleans the mesh, then takes a few steps
+  std::function<void(Document&)> clean;
+  std::function<void(Document&)> sweep;   ///< takes a few steps
   std::function<void(Document&)> settle;  ///< takes the steps of a full sweep
   std::function<void()> keep;  ///< called after the document is replaced by a better surface
   double distance = 0;         ///< largest movement of a vertex in a round; input units
@@ -39,7 +40,8 @@ struct CarvingStages {
 /// kept. The surface is kept if its score is higher by 0.1 % and `outline` is less than 0.001 below
 /// that before carving. The score is the weight of windows where photographs agree, times (1 - s /
 /// 2), where s is the contradicted fraction of the observed area. Carving ends at a surface that is
-/// not kept, or if a stage throws anything but CancelledError. The document is the last surface
+/// not kept, if `clean` doubles the number of faces, or if a stage throws anything but
+/// CancelledError. The document is the last surface
 /// that was kept; it is unchanged if none was kept.
 void carve(Document& document, const CarvingStages& stages);
 

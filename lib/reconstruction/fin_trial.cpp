@@ -22,17 +22,23 @@ std::size_t size_of(const Fins& fins) {
   return size;
 }
 
-/// Returns the mesh without all faces near the fins. The ring of neighbors of a fin goes, too, so
-/// that single vertices inside of the fin do not leave detached faces.
+/// Returns the mesh without all faces near the fins. Unobserved vertices are `doubt_rings` rings
+/// away from the first window, so that the base of a fin has as many rings more. A last ring goes,
+/// too, so that single vertices inside of the fin do not leave detached faces.
 Mesh without(const Fins& fins, const Mesh& mesh) {
-  std::vector<bool> is_fin(mesh.positions.size());
-  const UniformLaplacian laplacian(mesh);
+  std::vector<bool> is_near(mesh.positions.size());
   for (const std::vector<Index>& fin : fins)
-    for (const Index v : fin)
-      for (const Index neighbor : laplacian.neighbors(v)) is_fin[neighbor] = true;
+    for (const Index v : fin) is_near[v] = true;
+  const UniformLaplacian laplacian(mesh);
+  for (int ring = 0; ring < doubt_rings + 1; ++ring) {
+    const std::vector<bool> before = is_near;
+    for (Index v = 0; v < before.size(); ++v)
+      if (before[v])
+        for (const Index neighbor : laplacian.neighbors(v)) is_near[neighbor] = true;
+  }
   std::vector<bool> keeps;
   for (const Face& face : mesh.faces)
-    keeps.push_back(std::none_of(face.begin(), face.end(), [&](Index v) { return is_fin[v]; }));
+    keeps.push_back(std::none_of(face.begin(), face.end(), [&](Index v) { return is_near[v]; }));
   return select_faces(mesh, keeps);
 }
 

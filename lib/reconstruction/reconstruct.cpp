@@ -303,10 +303,8 @@ bool ReconstructionLoop::carves(Document& document, const Progress& progress) {
   carve(document, {[&, at = scale](const Mesh& mesh) {
                      return photographs_.carving_evidence(mesh, at, progress);
                    },
-                   [&](Document& carved) {
-                     clean_in_place(carved, progress);
-                     take_sweep(carved, progress, carving_steps);
-                   },
+                   [&](Document& carved) { clean_in_place(carved, progress); },
+                   [&](Document& carved) { take_sweep(carved, progress, carving_steps); },
                    [&](Document& carved) { take_sweep(carved, progress); },
                    [&] {
                      kept = sweep_;

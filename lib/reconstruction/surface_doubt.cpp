@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 
 #include "mesh/local_measures.h"
+#include "reconstruction/hidden_vertices.h"
 #include "reconstruction/place_loops.h"
 #include "step/local_thickness.h"
 #include "support/number.h"
@@ -52,6 +54,10 @@ std::vector<double> thickness_of_unobserved(const Mesh& mesh, const std::vector<
   return local_thickness(unobserved, 2 * thin_px * pixel, progress, BallSides::inside);
 }
 
+void sort_by_area(std::vector<DoubtfulPlace>& places) {
+  std::ranges::stable_sort(places, std::greater(), &DoubtfulPlace::area);
+}
+
 void find_places(const Mesh& mesh, const UniformLaplacian& laplacian, std::vector<bool> is_doubtful,
                  double pixel, SurfaceDoubt& doubt, const Progress& progress) {
   const std::vector<double> areas = vertex_areas(mesh);
@@ -69,8 +75,27 @@ void find_places(const Mesh& mesh, const UniformLaplacian& laplacian, std::vecto
     place.is_thin = is_thin(vertices, thickness, thin_px * pixel);
     doubt.places.push_back(place);
   }
-  std::stable_sort(doubt.places.begin(), doubt.places.end(),
-                   [](const auto& a, const auto& b) { return a.area > b.area; });
+  sort_by_area(doubt.places);
+}
+
+std::vector<DoubtfulPlace> places_of(std::vector<bool> is_marked, const Mesh& mesh,
+                                     const UniformLaplacian& laplacian, double pixel) {
+  const std::vector<double> areas = vertex_areas(mesh);
+  std::vector<DoubtfulPlace> places;
+  for (Index v = 0; v < is_marked.size(); ++v) {
+    if (!is_marked[v]) continue;
+    const auto place = measured_place(mesh, take_connected(v, laplacian, is_marked), areas, pixel);
+    if (place.area >= least_area_px) places.push_back(place);
+  }
+  sort_by_area(places);
+  return places;
+}
+
+/// Returns the area of the places, as a fraction of the area `whole` in input units.
+double share_of(const std::vector<DoubtfulPlace>& places, double pixel, double whole) {
+  double share = 0;
+  for (const DoubtfulPlace& place : places) share += place.area * pixel * pixel / whole;
+  return share;
 }
 
 }  // namespace
@@ -130,18 +155,21 @@ SurfaceDoubt surface_doubt(const Mesh& mesh, const PhotoScene& scene, double lea
   const UniformLaplacian laplacian(mesh);
   const std::vector<WindowSums> around = spread(found.of_vertex, laplacian, doubt_rings);
   std::vector<bool> is_doubtful(around.size());
+  std::vector<bool> is_observed(around.size());
   for (std::size_t v = 0; v < around.size(); ++v) {
-    const bool is_seen = around[v].weight > 0;
-    doubt.of_vertex.push_back(is_seen ? read_back(significant(around[v].excess(), 6)) : 1);
-    is_doubtful[v] = is_seen && around[v].excess() > contradicted;
+    is_observed[v] = around[v].weight > 0;
+    doubt.of_vertex.push_back(is_observed[v] ? read_back(significant(around[v].excess(), 6)) : 1);
+    is_doubtful[v] = is_observed[v] && around[v].excess() > contradicted;
   }
   find_places(mesh, laplacian, is_doubtful, scene.pixel, doubt, progress);
 
-  double seen = 0;
+  double observed = 0;
   const std::vector<double> areas = vertex_areas(mesh);
-  for (std::size_t v = 0; v < areas.size(); ++v) seen += around[v].weight > 0 ? areas[v] : 0;
-  for (const DoubtfulPlace& place : doubt.places)
-    doubt.share += place.area * scene.pixel * scene.pixel / seen;
+  for (std::size_t v = 0; v < areas.size(); ++v) observed += is_observed[v] ? areas[v] : 0;
+  doubt.share = share_of(doubt.places, scene.pixel, observed);
+  doubt.hidden_places = places_of(hidden_vertices(mesh, is_observed, scene, least_cosine), mesh,
+                                  laplacian, scene.pixel);
+  doubt.hidden_share = share_of(doubt.hidden_places, scene.pixel, surface_area(mesh));
   for (const auto& fin : unobserved_fins(mesh, found.of_vertex, scene.pixel, progress))
     doubt.unobserved_fins.push_back(measured_place(mesh, fin, areas, scene.pixel));
   doubt.sums = found.of_vertex;

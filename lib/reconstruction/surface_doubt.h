@@ -28,6 +28,9 @@ struct SurfaceDoubt {
   std::vector<DoubtfulPlace> places;
   /// Thin places that fewer than two views observe (unobserved_fins()).
   std::vector<DoubtfulPlace> unobserved_fins;
+  /// Hidden places of at least 25 squared pixels, the largest first (hidden_vertices.h).
+  std::vector<DoubtfulPlace> hidden_places;
+  double hidden_share = 0;  ///< area of the hidden places, as a fraction of the area of the mesh
   double share = 0;         ///< area of the doubtful places, as a fraction of the visible area
   double disagreement = 0;  ///< disagreement beyond noise, over all windows (WindowSums::excess)
   double floor = 0;         ///< mean dissimilarity that would result from noise alone

@@ -29,13 +29,14 @@ struct Carved {
   std::string stages;  ///< s: a sweep, t: the surface settles, k: it is kept
 };
 
-/// Carves a ball by steps of 0.08. `sweep` is the first stage of each round.
+/// Carves a ball by steps of 0.08.
 Carved carved_ball(const std::function<CarvingEvidence(const Mesh&)>& measure,
-                   const std::function<void(Document&)>& sweep = nothing) {
+                   const std::function<void(Document&)>& sweep = nothing,
+                   const std::function<void(Document&)>& clean = nothing) {
   Document document;
   document.mesh = test::icosphere(3);
   Carved result;
-  carve(document, {measure,
+  carve(document, {measure, clean,
                    [&](Document& carved) {
                      result.stages += 's';
                      sweep(carved);
@@ -109,4 +110,19 @@ TEST_CASE("carving is undone if the outline shrinks, no more is confirmed, or a 
   CHECK(carved_to(0.7, fails).mesh.positions == before.positions);
   const auto is_cancelled = [](Document&) { throw CancelledError("cancelled"); };
   CHECK_THROWS_AS(carved_to(0.7, is_cancelled), CancelledError);
+}
+
+TEST_CASE("carving is undone before a sweep if cleaning more than doubles the number of faces") {
+  const Mesh before = test::icosphere(3);
+  const auto measure = [](const Mesh& mesh) { return contradicts_beyond(mesh, 0.7); };
+  for (const std::size_t copies : {2, 3}) {
+    const Carved carved = carved_ball(measure, nothing, [&](Document& document) {
+      const std::vector<Face> faces = before.faces;
+      document.mesh.faces.clear();
+      for (std::size_t i = 0; i < copies; ++i)
+        document.mesh.faces.insert(document.mesh.faces.end(), faces.begin(), faces.end());
+    });
+    CHECK(carved.stages == (copies == 2 ? "sssstk" : ""));
+    CHECK((carved.mesh.positions == before.positions) == (copies == 3));
+  }
 }

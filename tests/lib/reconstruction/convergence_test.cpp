@@ -29,6 +29,13 @@ TEST_CASE("a surface at rest is not converged if masks or photographs disagree w
   evidence.doubt.share = 0.031;
   CHECK(at_rest.in_words(evidence) ==
         "photographs disagree on 3.1 % of the surface, most around 1,2,3 (400 square pixels)");
+  evidence.doubt.hidden_places = {{{1, 2, 3}, 90}};
+  evidence.doubt.hidden_share = 0.0049;
+  CHECK(at_rest.in_words(evidence).find("photographs disagree on 3.1 %") == 0);
+  evidence.doubt.hidden_share = 0.0051;
+  CHECK(at_rest.in_words(evidence) ==
+        "other parts of the surface hide 0.5 % of the surface from photographs, most around 1,2,3 "
+        "(90 square pixels)");
   evidence.doubt.unobserved_fins = {{{7, 8, 9}, 50}};
   CHECK(at_rest.in_words(evidence) ==
         "fewer than two photographs show a thin sheet or fin around 7,8,9 (50 square pixels)");

@@ -47,7 +47,7 @@ TEST_CASE("an unobserved fin is removed if outlines agree no less without it") {
   for (const double outline : {0.9, 0.95}) {
     Document document = with_spike();
     CHECK(try_without_fins(document, pixel, stages(outline)));
-    CHECK(height(document.mesh) < 1.3);
+    CHECK(height(document.mesh) < 1.02);
     CHECK(height(document.mesh) > 0.9);
     const Components parts = connected_components(document.mesh);
     CHECK(parts.components.size() == 1);

@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "helpers/ball_photographs.h"
 #include "helpers/shapes.h"
 #include "views/photo/photo_scene.h"
@@ -122,4 +125,17 @@ TEST_CASE("a thin plate outside of all images is reported as an unobserved fin")
   const SurfaceDoubt doubt = doubt_of(with_part(ball(1), plate));
   REQUIRE(doubt.unobserved_fins.size() == 1);
   CHECK((doubt.unobserved_fins.front().center - Vec3(0, 1.8, 0)).norm() < 0.01);
+}
+
+TEST_CASE("a part of the ball behind a plate is hidden, the poles that no view faces are not") {
+  const SurfaceDoubt before = doubt_of(ball(1));
+  CHECK(before.hidden_places.empty());
+  CHECK(before.hidden_share == 0);
+  CHECK(*std::ranges::max_element(before.of_vertex) == 1);
+  const SurfaceDoubt doubt = doubt_of(with_plate(ball(1), 0.2));
+  REQUIRE_FALSE(doubt.hidden_places.empty());
+  const DoubtfulPlace& place = doubt.hidden_places.front();
+  CHECK((place.center - Vec3(0, 0, 1)).norm() < 0.1);
+  CHECK(place.area > 25);
+  CHECK(doubt.hidden_share > 0.001);
 }
