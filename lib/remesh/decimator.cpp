@@ -23,8 +23,10 @@ constexpr double allowance_growth = 1.6;
 /// preserve borders and sharp edges better, and faces less well.
 constexpr double border_weight = 10;
 /// The weight of the squared length of an edge in its cost. The weight is so small that it decides
-/// only on flat surfaces, where short edges are collapsed first.
-constexpr double shortness = 3e-8;
+/// only on flat surfaces, where short edges are collapsed first. Measured by Hausdorff distances of
+/// decimated CAD parts and spheres: 1e-13 gives the same as 1e-12, and 1e-10 up to 4 % more or
+/// less. With 3e-8, vertices 1e-6 from a plane move before flat faces go.
+constexpr double shortness = 1e-12;
 /// Decimation within an error ends after a stage that removes at most 1/200 of the faces, and
 /// refuses at most as many collapses because of edge lengths. A larger fraction leaves more faces;
 /// a smaller one repeats refusals.
@@ -42,7 +44,6 @@ Decimator::Decimator(const Mesh& mesh, const DecimateOptions& options, std::opti
       options_(options),
       wanted_(std::max(options.faces, least_faces)),
       progress_(progress),
-      origin_(mesh.positions[mesh.faces[0][0]]),
       area_(surface_area(mesh)),
       first_faces_(mesh.faces.size()) {
   mesh_.set_coordinate(options.coordinate);
@@ -65,7 +66,7 @@ void Decimator::add_quadrics() {
     const Vec3 normal = mesh_.face_normal(face);
     const double length = normal.stableNorm();
     if (!(length > 0)) continue;
-    const Quadric plane(mesh_.position(mesh_.source(3 * face)) - origin_, normal / length, 1);
+    const Quadric plane(Vec3::Zero(), normal / length, 1);
     for (Index i = 0; i < 3; ++i) quadrics_[mesh_.source(3 * face + i)] += plane;
   }
   for (Index h = 0; h < mesh_.halfedge_slots(); ++h)
@@ -77,30 +78,36 @@ void Decimator::add_border(Index halfedge) {
   const Vec3 from = mesh_.position(mesh_.source(halfedge));
   const Vec3 along = mesh_.position(mesh_.target(halfedge)) - from;
   const Vec3 across = along.cross(mesh_.face_normal(halfedge / 3)).stableNormalized();
-  const Quadric plane(from - origin_, across, border_weight);
+  const Quadric plane(Vec3::Zero(), across, border_weight);
   quadrics_[mesh_.source(halfedge)] += plane;
   quadrics_[mesh_.target(halfedge)] += plane;
+}
+
+/// Returns the sum of the quadrics of both ends of an edge, relative to the position of `source`.
+Quadric Decimator::sum_at_source(Index source, Index target) const {
+  return quadrics_[source] +
+         quadrics_[target].relative_to(mesh_.position(source) - mesh_.position(target));
 }
 
 /// The positions to which an edge may be collapsed, by increasing cost: the minimizer of the
 /// quadric, the middle and both ends. If one end has a higher role than the other (vertex_role.h),
 /// that end is the only position.
 std::vector<Decimator::Place> Decimator::places(Index source, Index target) const {
-  const Quadric sum = quadrics_[source] + quadrics_[target];
   const Vec3 &from = mesh_.position(source), &to = mesh_.position(target);
-  const Vec3 middle = 0.5 * from + 0.5 * to;
+  const Quadric sum = sum_at_source(source, target);
   const VertexRole first = (*roles_)[source], second = (*roles_)[target];
   std::vector<Place> places;
   const auto add = [&](const Vec3& position) {
-    places.push_back({sum.at(position - origin_), position});
+    places.push_back({sum.at(position - from), position});
   };
   if (first > second) {
     add(from);
   } else if (first < second) {
     add(to);
   } else {
-    add(sum.least_near(middle - origin_) + origin_);
-    add(middle);
+    const Vec3 half = 0.5 * (to - from);
+    add(from + sum.least_near(half));
+    add(from + half);
     add(from);
     add(to);
     std::stable_sort(places.begin(), places.end(),
@@ -135,11 +142,12 @@ void Decimator::push_around(Index vertex) {
   mesh_.for_each_neighbor(vertex, [&](Index, Index halfedge) { push(halfedge); });
 }
 
-/// Updates vertex data after the collapse of the candidate. `apexes` are the third corners of the
-/// removed faces.
-void Decimator::merge(const Candidate& candidate, Index stays, std::span<const Index> apexes) {
+/// Updates vertex data after the collapse of the candidate. `quadric` is that of the merged vertex,
+/// and `apexes` are the third corners of the removed faces.
+void Decimator::merge(const Candidate& candidate, Index stays, const Quadric& quadric,
+                      std::span<const Index> apexes) {
   const Index goes = stays == candidate.source ? candidate.target : candidate.source;
-  quadrics_[stays] += quadrics_[goes];
+  quadrics_[stays] = quadric;
   ++versions_[stays];
   valences_[stays] += valences_[goes] - 2 * static_cast<Index>(apexes.size());
   push_around(stays);
@@ -164,6 +172,8 @@ std::size_t Decimator::run_stage(std::size_t wanted, double longest) {
     if (!mesh_.is_border(next.halfedge))
       apexes.push_back(mesh_.apex(mesh_.opposite(next.halfedge)));
     const Place place = places(next.source, next.target)[next.rank];
+    const Vec3 source = mesh_.position(next.source);
+    const Quadric sum = sum_at_source(next.source, next.target);
     const Index stays = collapser.collapse_to(next.halfedge, place.position);
     if (stays == no_index) {
       if (collapser.was_too_long() && ++too_long > most_too_long(result_.faces)) break;
@@ -174,7 +184,7 @@ std::size_t Decimator::run_stage(std::size_t wanted, double longest) {
     if (++result_.collapses % 1024 == 0)
       progress_("decimate", static_cast<double>(first_faces_ - result_.faces) /
                                 static_cast<double>(first_faces_ - wanted_));
-    merge(next, stays, apexes);
+    merge(next, stays, sum.relative_to(mesh_.position(stays) - source), apexes);
   }
   result_.kept_out += guard.kept_out();
   return too_long;

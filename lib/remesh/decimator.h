@@ -22,7 +22,7 @@ namespace transformesh {
 /// A closed surface has at least this many faces.
 inline constexpr std::size_t least_faces = 4;
 
-/// Quadrics use positions relative to the first corner of the mesh, so that squares stay small.
+/// The quadric of a vertex uses positions relative to the vertex, so that squares stay small.
 class Decimator {
  public:
   /// Keeps references to `options` and `progress`. `error`: largest allowed distance from `mesh`.
@@ -53,21 +53,22 @@ class Decimator {
   std::size_t run_stage(std::size_t wanted, double longest);
   void push(Index halfedge, std::size_t rank = 0);
   bool is_current(const Candidate& candidate) const;
+  Quadric sum_at_source(Index source, Index target) const;
   std::vector<Place> places(Index source, Index target) const;
   void push_around(Index vertex);
-  void merge(const Candidate& candidate, Index stays, std::span<const Index> apexes);
+  void merge(const Candidate& candidate, Index stays, const Quadric& quadric,
+             std::span<const Index> apexes);
 
   EditableMesh mesh_;
   const DecimateOptions& options_;
   std::size_t wanted_;
   std::optional<KeepOut> keep_out_;
   const Progress& progress_;
-  Vec3 origin_;
   double area_;
   std::size_t first_faces_;
   std::optional<VertexRoles> roles_;
   std::optional<ErrorBound> bound_;
-  std::vector<Quadric> quadrics_;        ///< quadric of each vertex
+  std::vector<Quadric> quadrics_;        ///< quadric of each vertex, relative to its position
   std::vector<std::uint32_t> versions_;  ///< number of vertices merged into each vertex
   std::vector<Index> valences_;          ///< number of faces at each vertex
   std::priority_queue<Candidate> queue_;

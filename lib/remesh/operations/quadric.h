@@ -25,6 +25,14 @@ class Quadric {
   }
   friend Quadric operator+(Quadric a, const Quadric& b) { return a += b; }
 
+  /// Returns the quadric for positions relative to `origin` instead of 0.
+  Quadric relative_to(const Vec3& origin) const {
+    Quadric moved = *this;
+    moved.linear_ += matrix_ * origin;
+    moved.constant_ += origin.dot(matrix_ * origin + 2 * linear_);
+    return moved;
+  }
+
   double at(const Vec3& p) const {
     const double sum = p.dot(matrix_ * p) + 2 * linear_.dot(p) + constant_;
     return sum > 0 ? sum : 0;

@@ -103,6 +103,26 @@ TEST_CASE("flat sides stay flat at every number of faces, and no vertex leaves t
   }
 }
 
+TEST_CASE("hills of a millionth stay while there are flat faces") {
+  Mesh mesh = fine_cube(20);
+  std::vector<Vec3> hills;
+  const auto is_chosen = [](double t) {
+    return t > 0 && t < 1 && std::abs(std::remainder(t, 0.25)) < 1e-9;
+  };
+  for (Vec3& p : mesh.positions)
+    if (p.x() == 1 && is_chosen(p.y()) && is_chosen(p.z())) {
+      p.x() += 1e-6;
+      hills.push_back(p);
+    }
+  REQUIRE(hills.size() == 9);
+  const Mesh coarse = decimated(mesh, mesh.faces.size() / 4);
+  for (const Vec3& hill : hills) {
+    double nearest = 1;
+    for (const Vec3& p : coarse.positions) nearest = std::min(nearest, (p - hill).norm());
+    CHECK(nearest < 1e-12);
+  }
+}
+
 TEST_CASE("the ends of a rod with long edges keep their shape") {
   // A rod 40 times as long as wide, in 80 slices. Its 32 sides are flat along the rod.
   constexpr int around = 32, slices = 80;
