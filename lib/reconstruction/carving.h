@@ -41,8 +41,8 @@ struct CarvingStages {
 /// that before carving. The score is the weight of windows where photographs agree, times (1 - s /
 /// 2), where s is the contradicted fraction of the observed area. Carving ends at a surface that is
 /// not kept, if `clean` doubles the number of faces, or if a stage throws anything but
-/// CancelledError. The document is the last surface
-/// that was kept; it is unchanged if none was kept.
+/// CancelledError. The document is the last surface that was kept; it is unchanged if none was
+/// kept.
 void carve(Document& document, const CarvingStages& stages);
 
 }  // namespace transformesh
