@@ -13,7 +13,6 @@
 #include "evolution/loop/stopwatch.h"
 #include "io/document/round_as_written.h"
 #include "mesh/component_areas.h"
-#include "reconstruction/better_parts.h"
 #include "reconstruction/carving.h"
 #include "reconstruction/convergence.h"
 #include "reconstruction/fin_trial.h"
@@ -22,10 +21,10 @@
 #include "reconstruction/image_scales.h"
 #include "reconstruction/initial_mesh.h"
 #include "reconstruction/initial_state.h"
+#include "reconstruction/judge_result.h"
 #include "reconstruction/photographs.h"
 #include "reconstruction/recorded_reconstruction.h"
 #include "reconstruction/scale_rule.h"
-#include "reconstruction/start_comparison.h"
 #include "reconstruction/surface_doubt.h"
 #include "reconstruction/sweep_rules.h"
 #include "support/counted.h"
@@ -48,10 +47,6 @@ namespace {
 /// the limit of the product of these factors.
 constexpr double stiffer = 4;
 constexpr double most_stiffness = 16;
-/// Farthest distance in pixels by which vertices move back onto a given initial mesh. Parts of that
-/// mesh that are farther away belong to other parts of the object. Steps at scale 1 hardly correct
-/// errors of that size.
-constexpr double reach_px = 10;
 /// Number of steps of a sweep between two rounds of carving. After five or more steps, the
 /// stiffness has brought the carved parts back, and thin sheets across holes stay closed.
 constexpr int carving_steps = 2;
@@ -125,10 +120,6 @@ class ReconstructionLoop : public Loop {
   const ReconstructionResult& result() const { return result_; }
 
  private:
-  void judge(Document& document, const Progress& progress);
-  SurfaceMeasures best_of(const SurfaceMeasures& start, SurfaceMeasures end, Document& document,
-                          const Progress& progress);
-  void keep_start(Document& document, const std::string& reason);
   bool is_last_scale() const { return scale_step_ + 1 == scale_steps_.size(); }
   bool may_begin_finer() const;
   bool begins_stiffer(Document& document, const Progress& progress);
@@ -400,62 +391,8 @@ void ReconstructionLoop::finish(Document& document, const Progress& progress) {
   result_.handles = handles_;
   drop_crumbs(document);
   result_.pixel = photographs_.pixel();
-  judge(document, progress);
+  ResultJudge(photographs_, given_, options_).judge(document, faults_, result_, progress);
   result_.faces = document.mesh.faces.size();
-}
-
-void ReconstructionLoop::judge(Document& document, const Progress& progress) {
-  const bool is_given = options_.initial.is_given;
-  const SurfaceMeasures start = photographs_.measures(given_.mesh, is_given, progress);
-  SurfaceMeasures end = photographs_.measures(document.mesh, true, progress);
-  if (is_given) end = best_of(start, std::move(end), document, progress);
-  result_.first = start.windows;
-  result_.last = end.windows;
-  result_.first_agreement = start.mean_outline();
-  result_.agreement = end.mean_outline();
-  result_.fault = faults_.in_words({result_.first_agreement, result_.agreement, end.doubt});
-  set_doubt_column(document.mesh, end.doubt);
-  result_.disagreement = end.doubt.disagreement;
-  result_.noise_floor = end.doubt.floor;
-  result_.doubtful = end.doubt.share;
-  result_.doubtful_places = std::move(end.doubt.places);
-}
-
-// Brings those parts of the given mesh back that are at least as good as the result, or the whole
-// given mesh. Returns the measures of the changed document.
-SurfaceMeasures ReconstructionLoop::best_of(const SurfaceMeasures& start, SurfaceMeasures end,
-                                            Document& document, const Progress& progress) {
-  Document restored = document;
-  const double share =
-      restore_better_parts(restored.mesh, end.doubt.sums, {given_.mesh, start.doubt.sums},
-                           reach_px * photographs_.pixel());
-  round_as_written(restored);
-  if (share > 0 && clean_in_place(restored, progress).topology == result_.topology) {
-    SurfaceMeasures measures = photographs_.measures(restored.mesh, true, progress);
-    if (!is_clearly_less(end.doubt.disagreement, measures.doubt.disagreement)) {
-      document = std::move(restored);
-      end = std::move(measures);
-      result_.restored = share;
-    }
-  }
-  const std::string reason = reason_to_keep(start, end);
-  if (reason.empty()) return end;
-  keep_start(document, reason);
-  return start;
-}
-
-// Makes the given mesh the result. Clears `faults_`, because faults of the sweeps are not faults of
-// the given mesh.
-void ReconstructionLoop::keep_start(Document& document, const std::string& reason) {
-  document = given_;
-  document.mesh.vertex_columns.erase(doubt_column);
-  const Components parts = connected_components(document.mesh);
-  result_.topology = {parts.components.size(), parts.genus()};
-  result_.crumbs = result_.handles = 0;
-  result_.restored = 1;
-  result_.kept = reason;
-  faults_ = {.is_at_rest = true};
-  if (options_.on_note) options_.on_note("the initial mesh is kept: " + reason);
 }
 
 void ReconstructionLoop::remember(LoopState& loop_state) {
