@@ -47,7 +47,7 @@ struct TimeResult {
 };
 
 /// A resumed run replaces `document` by its saved state. `options.iteration.remesh` smooths by
-/// default: use RemeshOptions() to keep what the motion made.
+/// default: set its `smoothing` to none to keep what the motion made.
 TimeResult evolve_in_time(Document& document, const Motion& motion, const TimeOptions& time,
                           const EvolveOptions& options = {}, const LoopOptions& loop = {},
                           const Progress& progress = Progress());

@@ -22,7 +22,6 @@ namespace {
 
 EvolveOptions unsmoothed() {
   EvolveOptions options;
-  options.iteration.remesh = RemeshOptions();
   options.iteration.remesh.smoothing = Smoothing::none;
   return options;
 }
