@@ -13,7 +13,7 @@ int main() {
     return std::vector<Vec3>(now.positions.size(), Vec3(0, 0, 0.5));
   }};
   EvolveOptions options;
-  options.iteration.remesh = RemeshOptions();
+  options.iteration.remesh.smoothing = Smoothing::none;
   const TimeResult result = evolve_in_time(mesh, rising, {.end = 2, .keep_volume = true}, options);
   if (!result.evolution.is_done || result.time != 2) return 1;
   if (result.evolution.last.topology != Topology{1, 0}) return 1;
