@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "fill/face_search.h"
-#include "fill/flat_openings.h"
+#include "fill/openings.h"
 #include "fill/hole_loops.h"
 #include "fill/hole_neighborhood.h"
 #include "fill/hole_patch.h"
@@ -51,7 +51,7 @@ class Filler {
         search_(mesh),
         blends_(mesh.positions.size()) {}
 
-  /// Fills a hole; only openings of flat_openings.h have several loops.
+  /// Fills a hole; only openings of openings.h have several loops.
   void fill(const std::vector<HoleLoop>& loops);
   /// Adds the attributes (column rows) of the new vertices and faces, and returns the result.
   FillResult finish();
@@ -280,7 +280,7 @@ FillResult fill_holes(Mesh& mesh, const FillOptions& options, const Progress& pr
   std::vector<HoleLoop> loops = join_touching_holes(mesh, found.border_halfedges);
   const bool any_touch = mesh.faces != before || !found.nonmanifold_vertices.empty();
   Filler filler(mesh, options);
-  for (const std::vector<HoleLoop>& hole : group_flat_openings(mesh, std::move(loops))) {
+  for (const std::vector<HoleLoop>& hole : group_openings(mesh, std::move(loops))) {
     progress("filling holes");
     filler.fill(hole);
   }

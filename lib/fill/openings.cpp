@@ -1,9 +1,8 @@
-#include "fill/flat_openings.h"
+#include "fill/openings.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "geometry/numbers/predicates.h"
 #include "geometry/search/bvh.h"
 #include "io/polygons/planar_outline.h"
 #include "mesh/disjoint_sets.h"
@@ -23,12 +22,12 @@ constexpr double flatness = 1e-2;
 /// that only face each other would be joined.
 constexpr double island_flatness = 0.25;
 
-/// Least cosine of the angle between the normals of an island's rim and of the opening. It is 0.6
-/// at the rim of that cap and 0 at walls.
+/// Least mean cosine of the angles between the normals of the faces at an island's rim and that of
+/// the opening. It is 0.6 at the rim of that cap and 0 at walls.
 constexpr double least_facing = 0.5;
 
 /// The plane of a loop.
-struct FlatLoop {
+struct LoopPlane {
   Eigen::AlignedBox3d box;
   double diagonal = 0;         ///< length of the diagonal of the box
   Vec3 normal = Vec3::Zero();  ///< unit normal of a patch for this loop alone
@@ -57,7 +56,7 @@ Projection projection_along(const Vec3& normal, bool is_flat) {
 }
 
 /// Returns the largest distance of a loop from a plane.
-double height_above(const Mesh& mesh, const HoleLoop& loop, const FlatLoop& plane) {
+double height_above(const Mesh& mesh, const HoleLoop& loop, const LoopPlane& plane) {
   double height = 0;
   for (const Index h : loop) {
     const Vec3& p = mesh.positions[halfedge_source(mesh, h)];
@@ -66,23 +65,23 @@ double height_above(const Mesh& mesh, const HoleLoop& loop, const FlatLoop& plan
   return height;
 }
 
-FlatLoop describe(const Mesh& mesh, const HoleLoop& loop) {
-  FlatLoop flat;
+LoopPlane describe(const Mesh& mesh, const HoleLoop& loop) {
+  LoopPlane plane;
   const Vec3& first = mesh.positions[halfedge_source(mesh, loop.front())];
   Vec3 sum = Vec3::Zero();
   for (const Index h : loop) {
-    flat.box.extend(mesh.positions[halfedge_source(mesh, h)]);
-    flat.center +=
+    plane.box.extend(mesh.positions[halfedge_source(mesh, h)]);
+    plane.center +=
         (mesh.positions[halfedge_source(mesh, h)] - first) / static_cast<double>(loop.size());
     sum -= normal_of(first, mesh.positions[halfedge_source(mesh, h)],
                      mesh.positions[halfedge_target(mesh, h)]);
   }
-  flat.center += first;
-  flat.diagonal = flat.box.diagonal().stableNorm();
-  flat.area = sum.stableNorm();
-  flat.normal = sum.stableNormalized();
-  flat.height = height_above(mesh, loop, flat);
-  return flat;
+  plane.center += first;
+  plane.diagonal = plane.box.diagonal().stableNorm();
+  plane.area = sum.stableNorm();
+  plane.normal = sum.stableNormalized();
+  plane.height = height_above(mesh, loop, plane);
+  return plane;
 }
 
 /// True if a point is a vertex of a loop, or inside of it in the projection: a ray crosses the loop
@@ -116,7 +115,7 @@ class Nesting {
  public:
   Nesting(const Mesh& mesh, const std::vector<HoleLoop>& loops)
       : mesh_(mesh), loops_(loops), parts_(edge_connected_parts(mesh)) {
-    for (const HoleLoop& loop : loops) flat_.push_back(describe(mesh, loop));
+    for (const HoleLoop& loop : loops) planes_.push_back(describe(mesh, loop));
   }
 
   /// Returns for each loop the smallest loop around it, or no_index.
@@ -128,20 +127,20 @@ class Nesting {
 
   const Mesh& mesh_;
   const std::vector<HoleLoop>& loops_;
-  std::vector<FlatLoop> flat_;
+  std::vector<LoopPlane> planes_;
   DisjointSets parts_;
 };
 
-/// True if the faces at the inner loop face in the direction of the opening, unlike the walls of a
-/// cavity. No edges may connect the first of them with a face at the outer loop. Islands may touch
-/// the outer loop at vertices.
+/// True if the faces at the inner loop face in the direction of the opening on average, unlike the
+/// walls of a cavity. No edges may connect the first of them with a face at the outer loop. Islands
+/// may touch the outer loop at vertices.
 bool Nesting::is_island(Index inner, Index outer) {
-  Vec3 sum = Vec3::Zero();
+  double facing = 0;
   for (const Index h : loops_[inner]) {
     const auto& [a, b, c] = triangle_of(mesh_, h / 3);
-    sum += normal_of(a, b, c).stableNormalized();
+    facing += normal_of(a, b, c).stableNormalized().dot(planes_[outer].normal);
   }
-  if (!(sum.stableNormalized().dot(flat_[outer].normal) > least_facing)) return false;
+  if (!(facing > least_facing * static_cast<double>(loops_[inner].size()))) return false;
   const Index part = parts_.find(loops_[inner].front() / 3);
   return std::ranges::none_of(loops_[outer], [&](Index h) { return parts_.find(h / 3) == part; });
 }
@@ -149,7 +148,7 @@ bool Nesting::is_island(Index inner, Index outer) {
 /// True if the inner loop has the opposite direction, and lies inside of the outer loop in its
 /// plane. Islands may be off the plane, as on a curved surface.
 bool Nesting::is_within(Index inner, Index outer) {
-  const FlatLoop &in = flat_[inner], &out = flat_[outer];
+  const LoopPlane &in = planes_[inner], &out = planes_[outer];
   if (!(in.normal.dot(out.normal) < -0.9) || !(in.area < out.area)) return false;
   const double height = std::max(out.height, height_above(mesh_, loops_[inner], out));
   const bool is_flat = height <= flatness * out.diagonal;
@@ -165,16 +164,16 @@ std::vector<Index> Nesting::outer_loops() {
   std::vector<Index> outer(loops_.size(), no_index);
   const BoxFrame frame(mesh_.positions);
   std::vector<FloatBox> boxes, around;
-  for (const FlatLoop& flat : flat_) {
-    const Vec3 margin = Vec3::Constant(island_flatness * flat.diagonal);
-    boxes.push_back(frame.box(flat.box.min(), flat.box.max()));
-    around.push_back(frame.box(flat.box.min() - margin, flat.box.max() + margin));
+  for (const LoopPlane& plane : planes_) {
+    const Vec3 margin = Vec3::Constant(island_flatness * plane.diagonal);
+    boxes.push_back(frame.box(plane.box.min(), plane.box.max()));
+    around.push_back(frame.box(plane.box.min() - margin, plane.box.max() + margin));
   }
   const Bvh tree(around);
   for (Index i = 0; i < loops_.size(); ++i) {
     tree.visit_overlaps(boxes[i], [&](Index o) {
-      const bool is_smaller = outer[i] == no_index || flat_[o].area < flat_[outer[i]].area ||
-                              (flat_[o].area == flat_[outer[i]].area && o < outer[i]);
+      const bool is_smaller = outer[i] == no_index || planes_[o].area < planes_[outer[i]].area ||
+                              (planes_[o].area == planes_[outer[i]].area && o < outer[i]);
       if (o != i && is_smaller && is_within(i, o)) outer[i] = o;
       return true;
     });
@@ -184,8 +183,7 @@ std::vector<Index> Nesting::outer_loops() {
 
 }  // namespace
 
-std::vector<std::vector<HoleLoop>> group_flat_openings(const Mesh& mesh,
-                                                       std::vector<HoleLoop> loops) {
+std::vector<std::vector<HoleLoop>> group_openings(const Mesh& mesh, std::vector<HoleLoop> loops) {
   const std::vector<Index> outer = Nesting(mesh, loops).outer_loops();
   std::vector<std::vector<HoleLoop>> groups(loops.size());
   // A loop that is within another one is no outer loop.
@@ -201,7 +199,7 @@ std::vector<std::vector<HoleLoop>> group_flat_openings(const Mesh& mesh,
 }
 
 std::vector<Face> triangulate_opening(const Mesh& mesh, const std::vector<HoleLoop>& loops) {
-  const FlatLoop outer = describe(mesh, loops.front());
+  const LoopPlane outer = describe(mesh, loops.front());
   const bool is_flat = std::ranges::all_of(loops, [&](const HoleLoop& loop) {
     return height_above(mesh, loop, outer) <= flatness * outer.diagonal;
   });

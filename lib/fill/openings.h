@@ -12,8 +12,7 @@ namespace transformesh {
 
 /// Returns the loops of each hole, in order of the first loops: first the outer loop of an opening,
 /// then the loops in it. Other loops are alone.
-std::vector<std::vector<HoleLoop>> group_flat_openings(const Mesh& mesh,
-                                                       std::vector<HoleLoop> loops);
+std::vector<std::vector<HoleLoop>> group_openings(const Mesh& mesh, std::vector<HoleLoop> loops);
 
 /// Returns faces between the loops of an opening without new vertices: the constrained Delaunay
 /// triangulation in the plane of the outer loop. Empty if the loops intersect in the plane.

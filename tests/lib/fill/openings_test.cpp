@@ -1,6 +1,6 @@
 /// Flat openings with several border loops, compared with the areas and bodies of which they are
 /// part.
-#include "fill/flat_openings.h"
+#include "fill/openings.h"
 
 #include <doctest/doctest.h>
 
@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "helpers/mesh_facts.h"
+#include "helpers/random.h"
 #include "helpers/shapes.h"
 #include "transformesh/fill.h"
 #include "transformesh/intersect.h"
@@ -40,8 +41,7 @@ Mesh rotated(Mesh mesh, double scale) {
 }
 
 std::vector<std::vector<HoleLoop>> groups_of(Mesh mesh) {
-  return group_flat_openings(mesh,
-                             join_touching_holes(mesh, check_manifold(mesh).border_halfedges));
+  return group_openings(mesh, join_touching_holes(mesh, check_manifold(mesh).border_halfedges));
 }
 
 }  // namespace
@@ -169,6 +169,19 @@ TEST_CASE("the direction of a flat rim does not matter for an island above it") 
   CHECK(fill_holes(mesh).faired == 1);
   CHECK(check_manifold(mesh).is_closed());
   CHECK(test::signed_volume(mesh) == doctest::Approx(4.189).epsilon(0.03));
+}
+
+TEST_CASE("walls whose rim is near a larger opening are no island, in any direction") {
+  const Mesh tube = walls({0, 0, 0}, {4, 4, 1}, false);
+  test::Random random(7);
+  for (const double height : {0.8, 1.0, 1.2}) {
+    Mesh mesh = test::joined(tube, walls({1, 1, height}, {2, 2, 3}, false));
+    for (int k = 0; k < 40; ++k) {
+      const Eigen::AngleAxisd turn(1, random.point(-1, 1).normalized());
+      for (Vec3& p : mesh.positions) p = turn * p;
+      CHECK(groups_of(mesh).size() == (height == 1 ? 3 : 4));
+    }
+  }
 }
 
 TEST_CASE("an island that touches the rim of a curved hole at a vertex does not become a body") {
