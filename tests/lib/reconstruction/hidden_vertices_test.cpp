@@ -2,7 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "helpers/ball_photographs.h"
+#include "helpers/shapes.h"
 
 using namespace transformesh;
 
