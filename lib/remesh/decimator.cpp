@@ -66,7 +66,7 @@ void Decimator::add_quadrics() {
     const Vec3 normal = mesh_.face_normal(face);
     const double length = normal.stableNorm();
     if (!(length > 0)) continue;
-    const Quadric plane(Vec3::Zero(), normal / length, 1);
+    const Quadric plane(normal / length, 1);
     for (Index i = 0; i < 3; ++i) quadrics_[mesh_.source(3 * face + i)] += plane;
   }
   for (Index h = 0; h < mesh_.halfedge_slots(); ++h)
@@ -78,7 +78,7 @@ void Decimator::add_border(Index halfedge) {
   const Vec3 from = mesh_.position(mesh_.source(halfedge));
   const Vec3 along = mesh_.position(mesh_.target(halfedge)) - from;
   const Vec3 across = along.cross(mesh_.face_normal(halfedge / 3)).stableNormalized();
-  const Quadric plane(Vec3::Zero(), across, border_weight);
+  const Quadric plane(across, border_weight);
   quadrics_[mesh_.source(halfedge)] += plane;
   quadrics_[mesh_.target(halfedge)] += plane;
 }

@@ -11,11 +11,8 @@ namespace transformesh {
 class Quadric {
  public:
   Quadric() = default;
-  /// Makes the quadric of the plane through `point` with the unit normal `normal`.
-  Quadric(const Vec3& point, const Vec3& normal, double weight)
-      : matrix_(weight * normal * normal.transpose()),
-        linear_(-weight * normal.dot(point) * normal),
-        constant_(weight * normal.dot(point) * normal.dot(point)) {}
+  /// Makes the quadric of the plane through 0 with the unit normal `normal`.
+  Quadric(const Vec3& normal, double weight) : matrix_(weight * normal * normal.transpose()) {}
 
   Quadric& operator+=(const Quadric& other) {
     matrix_ += other.matrix_;
