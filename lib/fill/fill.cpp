@@ -8,10 +8,10 @@
 #include <unordered_map>
 
 #include "fill/face_search.h"
-#include "fill/openings.h"
 #include "fill/hole_loops.h"
 #include "fill/hole_neighborhood.h"
 #include "fill/hole_patch.h"
+#include "fill/openings.h"
 #include "geometry/numbers/predicates.h"
 #include "mesh/adjacency.h"
 #include "mesh/coordinate_spacing.h"
