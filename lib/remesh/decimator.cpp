@@ -89,16 +89,23 @@ Quadric Decimator::sum_at_source(Index source, Index target) const {
          quadrics_[target].relative_to(mesh_.position(source) - mesh_.position(target));
 }
 
-/// The positions to which an edge may be collapsed, by increasing cost: the minimizer of the
-/// quadric, the middle and both ends. If one end has a higher role than the other (vertex_role.h),
-/// that end is the only position.
-std::vector<Decimator::Place> Decimator::places(Index source, Index target) const {
+void Decimator::Places::add(double cost, const Vec3& position) {
+  std::size_t place = count++;
+  for (; place > 0 && cost < by_cost[place - 1].cost; --place) by_cost[place] = by_cost[place - 1];
+  by_cost[place] = {cost, position};
+}
+
+/// Returns the positions to which an edge may be collapsed: the minimizer of the quadric, the
+/// middle and both ends. If one end has a higher role than the other (vertex_role.h), that end is
+/// the only position.
+Decimator::Places Decimator::places(Index source, Index target) const {
   const Vec3 &from = mesh_.position(source), &to = mesh_.position(target);
   const Quadric sum = sum_at_source(source, target);
   const VertexRole first = (*roles_)[source], second = (*roles_)[target];
-  std::vector<Place> places;
+  const double length_cost = shortness * (to - from).squaredNorm();
+  Places places;
   const auto add = [&](const Vec3& position) {
-    places.push_back({sum.at(position - from), position});
+    places.add(sum.at(position - from) + length_cost, position);
   };
   if (first > second) {
     add(from);
@@ -110,45 +117,52 @@ std::vector<Decimator::Place> Decimator::places(Index source, Index target) cons
     add(from + half);
     add(from);
     add(to);
-    std::stable_sort(places.begin(), places.end(),
-                     [](const Place& a, const Place& b) { return a.cost < b.cost; });
   }
-  for (Place& place : places) place.cost += shortness * (to - from).squaredNorm();
   return places;
 }
 
-/// Enqueues the collapse of the edge to the position with the given rank in places(), if there is
-/// one. Edges at a vertex of high valence wait until collapses around the vertex have removed
-/// faces. The test of such an edge takes time proportional to the valence, and its collapse removes
-/// two faces at most.
-void Decimator::push(Index halfedge, std::size_t rank) {
+/// Returns the collapse of the edge to the position with the given rank, if there is one. Edges at
+/// a vertex of high valence wait until collapses around the vertex have removed faces. The test of
+/// such an edge takes time proportional to the valence, and its collapse removes two faces at most.
+std::optional<Decimator::Candidate> Decimator::candidate(Index halfedge, std::uint32_t rank) const {
   const Index source = mesh_.source(halfedge), target = mesh_.target(halfedge);
-  if (std::max(valences_[source], valences_[target]) > usual_valence) return;
-  const std::vector<Place> all = places(source, target);
-  if (rank < all.size())
-    queue_.push(
-        {all[rank].cost, halfedge, source, target, versions_[source], versions_[target], rank});
+  if (std::max(valences_[source], valences_[target]) > usual_valence) return {};
+  const Places all = places(source, target);
+  if (rank >= all.count) return {};
+  return Candidate{all.by_cost[rank].cost, halfedge, versions_[source] + versions_[target], rank};
 }
 
+void Decimator::fill_queue() {
+  std::vector<Candidate> candidates;
+  candidates.reserve(mesh_.halfedge_slots());
+  for (Index h = 0; h < mesh_.halfedge_slots(); ++h)
+    if (mesh_.is_edge(h))
+      if (const auto found = candidate(h)) candidates.push_back(*found);
+  queue_ = std::priority_queue<Candidate>({}, std::move(candidates));
+}
+
+void Decimator::push(Index halfedge, std::uint32_t rank) {
+  if (const auto found = candidate(halfedge, rank)) queue_.push(*found);
+}
+
+/// Versions only grow, so that their sum tells whether an end of the edge was merged.
 bool Decimator::is_current(const Candidate& candidate) const {
-  return mesh_.has_halfedge(candidate.halfedge) &&
-         mesh_.source(candidate.halfedge) == candidate.source &&
-         mesh_.target(candidate.halfedge) == candidate.target &&
-         versions_[candidate.source] == candidate.source_version &&
-         versions_[candidate.target] == candidate.target_version;
+  if (!mesh_.has_halfedge(candidate.halfedge)) return false;
+  const Index source = mesh_.source(candidate.halfedge);
+  const Index target = mesh_.target(candidate.halfedge);
+  return versions_[source] + versions_[target] == candidate.version;
 }
 
 void Decimator::push_around(Index vertex) {
   mesh_.for_each_neighbor(vertex, [&](Index, Index halfedge) { push(halfedge); });
 }
 
-/// Updates vertex data after the collapse of the candidate. `quadric` is that of the merged vertex,
-/// and `apexes` are the third corners of the removed faces.
-void Decimator::merge(const Candidate& candidate, Index stays, const Quadric& quadric,
+/// Updates vertex data after a collapse. `quadric` is that of the merged vertex, and `apexes` are
+/// the third corners of the removed faces.
+void Decimator::merge(Index goes, Index stays, const Quadric& quadric,
                       std::span<const Index> apexes) {
-  const Index goes = stays == candidate.source ? candidate.target : candidate.source;
   quadrics_[stays] = quadric;
-  ++versions_[stays];
+  versions_[stays] = std::max(versions_[goes], versions_[stays]) + 1;
   valences_[stays] += valences_[goes] - 2 * static_cast<Index>(apexes.size());
   push_around(stays);
   for (const Index apex : apexes)
@@ -161,20 +175,19 @@ std::size_t Decimator::run_stage(std::size_t wanted, double longest) {
   EmbeddingGuard guard(mesh_, longest, keep_out_ ? &*keep_out_ : nullptr);
   EdgeCollapser collapser(mesh_, guard, *roles_, longest, bound_ ? &*bound_ : nullptr);
   std::size_t too_long = 0;
-  queue_ = {};
-  for (Index h = 0; h < mesh_.halfedge_slots(); ++h)
-    if (mesh_.is_edge(h)) push(h);
+  fill_queue();
   while (result_.faces > wanted && !queue_.empty()) {
     const Candidate next = queue_.top();
     queue_.pop();
     if (!is_current(next)) continue;
+    const Index source = mesh_.source(next.halfedge), target = mesh_.target(next.halfedge);
     std::vector<Index> apexes{mesh_.apex(next.halfedge)};
     if (!mesh_.is_border(next.halfedge))
       apexes.push_back(mesh_.apex(mesh_.opposite(next.halfedge)));
-    const Place place = places(next.source, next.target)[next.rank];
-    const Vec3 source = mesh_.position(next.source);
-    const Quadric sum = sum_at_source(next.source, next.target);
-    const Index stays = collapser.collapse_to(next.halfedge, place.position);
+    const Vec3 wanted_position = places(source, target).by_cost[next.rank].position;
+    const Vec3 from = mesh_.position(source);
+    const Quadric sum = sum_at_source(source, target);
+    const Index stays = collapser.collapse_to(next.halfedge, wanted_position);
     if (stays == no_index) {
       if (collapser.was_too_long() && ++too_long > most_too_long(result_.faces)) break;
       push(next.halfedge, next.rank + 1);
@@ -184,7 +197,8 @@ std::size_t Decimator::run_stage(std::size_t wanted, double longest) {
     if (++result_.collapses % 1024 == 0)
       progress_("decimate", static_cast<double>(first_faces_ - result_.faces) /
                                 static_cast<double>(first_faces_ - wanted_));
-    merge(next, stays, sum.relative_to(mesh_.position(stays) - source), apexes);
+    merge(stays == source ? target : source, stays, sum.relative_to(mesh_.position(stays) - from),
+          apexes);
   }
   result_.kept_out += guard.kept_out();
   return too_long;

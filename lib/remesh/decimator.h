@@ -5,6 +5,7 @@
 /// and the ends of the edge are tried.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <queue>
 #include <span>
@@ -38,11 +39,18 @@ class Decimator {
     double cost;
     Vec3 position;
   };
+  /// The positions for an edge by increasing cost.
+  struct Places {
+    std::array<Place, 4> by_cost;
+    std::size_t count = 0;
+    void add(double cost, const Vec3& position);
+  };
+  /// An entry of the queue.
   struct Candidate {
     double cost;
-    Index halfedge, source, target;
-    std::uint32_t source_version, target_version;
-    std::size_t rank;  ///< index in places() of the position to try
+    Index halfedge;
+    std::uint32_t version;  ///< sum of the versions of both ends
+    std::uint32_t rank;     ///< index in Places::by_cost of the position to try
     bool operator<(const Candidate& other) const {
       return cost != other.cost ? cost > other.cost : halfedge > other.halfedge;
     }
@@ -51,13 +59,14 @@ class Decimator {
   void add_quadrics();
   void add_border(Index halfedge);
   std::size_t run_stage(std::size_t wanted, double longest);
-  void push(Index halfedge, std::size_t rank = 0);
+  std::optional<Candidate> candidate(Index halfedge, std::uint32_t rank = 0) const;
+  void fill_queue();
   bool is_current(const Candidate& candidate) const;
   Quadric sum_at_source(Index source, Index target) const;
-  std::vector<Place> places(Index source, Index target) const;
+  Places places(Index source, Index target) const;
+  void push(Index halfedge, std::uint32_t rank = 0);
   void push_around(Index vertex);
-  void merge(const Candidate& candidate, Index stays, const Quadric& quadric,
-             std::span<const Index> apexes);
+  void merge(Index goes, Index stays, const Quadric& quadric, std::span<const Index> apexes);
 
   EditableMesh mesh_;
   const DecimateOptions& options_;
@@ -69,7 +78,7 @@ class Decimator {
   std::optional<VertexRoles> roles_;
   std::optional<ErrorBound> bound_;
   std::vector<Quadric> quadrics_;        ///< quadric of each vertex, relative to its position
-  std::vector<std::uint32_t> versions_;  ///< number of vertices merged into each vertex
+  std::vector<std::uint32_t> versions_;  ///< grows whenever a vertex is merged into this one
   std::vector<Index> valences_;          ///< number of faces at each vertex
   std::priority_queue<Candidate> queue_;
   DecimateResult result_;

@@ -2,7 +2,7 @@
 /// Heckbert, "Surface simplification using quadric error metrics", SIGGRAPH 1997.
 #pragma once
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include "transformesh/mesh.h"
 
@@ -35,27 +35,24 @@ class Quadric {
     return sum > 0 ? sum : 0;
   }
   /// Returns the point with the least value. Among points with nearly equal values, returns the one
-  /// nearest to `start`. Uses the pseudoinverse, and steps that correct its rounding errors.
+  /// nearest to `start`. Each step solves for the least value plus `damping` times the squared
+  /// distance from the last point (proximal point method: Rockafellar, SIAM J. Control 1976).
   Vec3 least_near(const Vec3& start) const {
-    // Eigenvalues below this fraction of the largest eigenvalue count as 0; chosen by hand, not
-    // measured.
-    constexpr double least_share = 1e-4;
-    constexpr int steps = 3;  // number of correction steps; chosen by hand, not measured
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix_);
-    const Vec3& values = solver.eigenvalues();
-    if (!(values[2] > 0)) return start;
-    Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
-    for (int i = 0; i < 3; ++i)
-      if (values[i] > least_share * values[2]) {
-        const Vec3 axis = solver.eigenvectors().col(i);
-        inverse += axis * axis.transpose() / values[i];
-      }
+    const double damping = damping_share * matrix_.trace();
+    if (!(damping > 0)) return start;
+    const Eigen::Matrix3d inverse = (matrix_ + damping * Eigen::Matrix3d::Identity()).inverse();
     Vec3 point = start;
     for (int step = 0; step < steps; ++step) point -= inverse * (matrix_ * point + linear_);
     return point;
   }
 
  private:
+  /// The factor of the damping, relative to the trace of the matrix. Vertices of a decimated
+  /// bracket of size 4 lie up to 2e-14 from its flat faces; with 1e-3 up to 6e-10, with 1e-5 up to
+  /// 2e-11. Hausdorff distances of other parts, scans and spheres differ by a few percent.
+  static constexpr double damping_share = 1e-4;
+  /// With 4 steps, vertices of the bracket lie up to 8e-10 from its flat faces.
+  static constexpr int steps = 8;
   Eigen::Matrix3d matrix_ = Eigen::Matrix3d::Zero();
   Vec3 linear_ = Vec3::Zero();
   double constant_ = 0;
