@@ -332,6 +332,22 @@ border() {
   jq -e --argjson edge "$edge" '.rms < 0.05 * $edge' "$BATS_TEST_TMPDIR/distance.json"
 }
 
+@test "decimation that open seams stop says so, and its advice helps" {
+  cd "$BATS_TEST_TMPDIR"
+  # Every triangle has corners of its own, up to 1e-15 from those of its neighbors.
+  tm-shape box 1 1 1 --faces 600 --double --format off --no-provenance | awk '
+    NR == 2 { n = $1; print "OFF\n" 3 * $2, $2, 0 }
+    NR > 2 && NR <= n + 2 { x[NR - 3] = $1; y[NR - 3] = $2; z[NR - 3] = $3 }
+    NR > n + 2 { for (i = 2; i < 5; ++i) printf "%.17g %.17g %.17g\n", x[$i] + NR % 7 * 1e-15, y[$i], z[$i] }
+    NR > n + 2 { faces = faces 3 " " 3 * m " " 3 * m + 1 " " 3 * m + 2 "\n"; ++m }
+    END { printf "%s", faces }' >soup.off
+  run --separate-stderr tm-remesh --faces 100 soup.off
+  [ "$status" -eq 4 ]
+  [[ $stderr == *"are left, more than the 100 wanted"*"or run tm-repair first"* ]]
+  tm-repair -q soup.off | tm-remesh --faces 12 -o box.off
+  [ "$(tm-info --get faces box.off)" -eq 12 ]
+}
+
 @test "--error decimates while input and result stay that close, in both directions" {
   cd "$BATS_TEST_TMPDIR"
   # Three meshes: a closed noisy one, a folded one, and one with a border.

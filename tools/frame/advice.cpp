@@ -68,8 +68,8 @@ constexpr std::array table{
     Advice{Kind::static_test_of_open_mesh, "method",
            "use --method grow, or close the mesh with tm-fill"},
     Advice{Kind::decimation_stuck, "",
-           "ask for more faces, or run tm-clean first: edges near self-intersections are not "
-           "collapsed"},
+           "ask for more faces, or run tm-repair first: edges near self-intersections and open "
+           "seams are not collapsed"},
     Advice{Kind::meets_keep_out, "",
            "enlarge that surface with tm-offset --distance, and subtract it from the mesh with "
            "tm-boolean difference"},
