@@ -51,7 +51,7 @@ class Quadric {
   /// bracket of size 4 lie up to 2e-14 from its flat faces; with 1e-3 up to 6e-10, with 1e-5 up to
   /// 2e-11. Hausdorff distances of other parts, scans and spheres differ by a few percent.
   static constexpr double damping_share = 1e-4;
-  /// With 4 steps, vertices of the bracket lie up to 8e-10 from its flat faces.
+  /// After 4 steps, vertices of the bracket lie up to 8e-10 from its flat faces.
   static constexpr int steps = 8;
   Eigen::Matrix3d matrix_ = Eigen::Matrix3d::Zero();
   Vec3 linear_ = Vec3::Zero();
