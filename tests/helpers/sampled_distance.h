@@ -40,6 +40,7 @@ inline double sampled_distance(const Mesh& from, const Mesh& to, int steps) {
     return std::array{mesh.positions[face[0]], mesh.positions[face[1]], mesh.positions[face[2]]};
   };
   double largest = 0;
+  std::size_t near = 0;  // the face near the last sample is tested first, which usually decides
   for (const Face& face : from.faces) {
     const auto [a, b, c] = corners(from, face);
     for (int i = 0; i <= steps; ++i)
@@ -47,8 +48,12 @@ inline double sampled_distance(const Mesh& from, const Mesh& to, int steps) {
         const Vec3 p =
             a + static_cast<double>(i) / steps * (b - a) + static_cast<double>(k) / steps * (c - a);
         double least = std::numeric_limits<double>::infinity();
-        for (const Face& other : to.faces) {
-          least = std::min(least, squared_to_triangle(p, corners(to, other)));
+        const std::size_t first = near;
+        for (std::size_t n = 0; n < to.faces.size(); ++n) {
+          const std::size_t other = (first + n) % to.faces.size();
+          const double squared = squared_to_triangle(p, corners(to, to.faces[other]));
+          if (squared < least) near = other;
+          least = std::min(least, squared);
           if (least <= largest) break;  // this sample cannot be the farthest
         }
         largest = std::max(largest, least);
