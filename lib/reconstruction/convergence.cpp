@@ -12,11 +12,16 @@ namespace {
 /// the initial mesh are inaccurate by about this much because its edges are long.
 constexpr double agreement_lost = 0.005;
 /// Largest accepted dissimilarity of photographs after subtraction of their noise (disagreement.h).
-/// On true surfaces it is at most 0.09, on wrong surfaces 0.5.
-constexpr double most_disagreement = 0.2;
+/// On true surfaces it is at most 0.09, on wrong surfaces 0.5. Right results of 33 generated scenes
+/// had at most 0.16. The body of genus 7 in photographs of 100x75 had 0.196, with genus 0.
+constexpr double most_disagreement = 0.18;
 /// Largest accepted area of doubtful places, as a fraction of the observed area. Chosen to tolerate
 /// small places that photographs do not confirm.
 constexpr double most_doubtful = 0.03;
+/// Largest accepted area of places where small windows disagree, as a fraction of the observed
+/// area. Right results of 33 generated scenes had at most 1.0 %. Films across bores of 24 and 31
+/// pixels had 1.8 to 5.2 %.
+constexpr double most_doubtful_in_small = 0.015;
 /// Largest accepted area of hidden places, as a fraction of the area of the mesh. Eleven right
 /// results of generated scenes had none, and the dino of Middlebury 0.07 %. The bottom of a bowl
 /// was 2.6 % of a surface up to 31 pixels wrong.
@@ -44,6 +49,9 @@ std::string in_words_of(const SurfaceDoubt& doubt) {
   if (doubt.share > most_doubtful)
     return "photographs disagree on " + fixed(100 * doubt.share, 1) +
            " % of the surface, most around " + in_words(doubt.places.front());
+  if (doubt.small_window_share > most_doubtful_in_small)
+    return "small windows of photographs disagree on " + fixed(100 * doubt.small_window_share, 1) +
+           " % of the surface, most around " + in_words(doubt.small_window_places.front());
   return {};
 }
 

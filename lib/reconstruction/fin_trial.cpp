@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "reconstruction/surface_doubt.h"
-#include "transformesh/components.h"
+#include "reconstruction/without_rings.h"
 #include "transformesh/errors.h"
 #include "transformesh/fill.h"
-#include "views/photo/thin_plate.h"
 
 namespace transformesh {
 namespace {
@@ -26,20 +25,10 @@ std::size_t size_of(const Fins& fins) {
 /// away from the first window, so that the base of a fin has as many rings more. A last ring goes,
 /// too, so that single vertices inside of the fin do not leave detached faces.
 Mesh without(const Fins& fins, const Mesh& mesh) {
-  std::vector<bool> is_near(mesh.positions.size());
+  std::vector<bool> is_in_fin(mesh.positions.size());
   for (const std::vector<Index>& fin : fins)
-    for (const Index v : fin) is_near[v] = true;
-  const UniformLaplacian laplacian(mesh);
-  for (int ring = 0; ring < doubt_rings + 1; ++ring) {
-    const std::vector<bool> before = is_near;
-    for (Index v = 0; v < before.size(); ++v)
-      if (before[v])
-        for (const Index neighbor : laplacian.neighbors(v)) is_near[neighbor] = true;
-  }
-  std::vector<bool> keeps;
-  for (const Face& face : mesh.faces)
-    keeps.push_back(std::none_of(face.begin(), face.end(), [&](Index v) { return is_near[v]; }));
-  return select_faces(mesh, keeps);
+    for (const Index v : fin) is_in_fin[v] = true;
+  return without_rings(mesh, std::move(is_in_fin), doubt_rings + 1);
 }
 
 }  // namespace

@@ -179,6 +179,8 @@ void ReconstructionLoop::begin_finer(Document& document, const Progress& progres
     options_.on_detail("scale " + fixed(sweep_.scale_step.scale, 4) +
                        " is too coarse for this surface: restarting at the next finer scale");
   scale_step_ = ++first_;
+  // The surface may have exploded only because edges were longer than thin parts are thick.
+  stiffness_ = 1;
   faults_.lost_at = 0;
   rule_.begin();
   start(document, progress);

@@ -98,6 +98,20 @@ double share_of(const std::vector<DoubtfulPlace>& places, double pixel, double w
   return share;
 }
 
+/// Returns places where windows of 3x3 pixels disagree.
+std::vector<DoubtfulPlace> places_of_small_windows(const Mesh& mesh,
+                                                   const UniformLaplacian& laplacian,
+                                                   const PhotoScene& scene, double least_cosine,
+                                                   PhotoconsistencyOptions options,
+                                                   const Progress& progress) {
+  options.correlation.radius = 1;
+  const Disagreement found = disagreement(mesh, scene, least_cosine, options, progress);
+  std::vector<bool> is_doubtful;
+  for (const WindowSums& around : spread(found.of_vertex, laplacian, doubt_rings))
+    is_doubtful.push_back(around.excess() > contradicted);
+  return places_of(is_doubtful, mesh, laplacian, scene.pixel);
+}
+
 }  // namespace
 
 std::vector<WindowSums> spread(std::vector<WindowSums> sums, const UniformLaplacian& laplacian,
@@ -167,6 +181,9 @@ SurfaceDoubt surface_doubt(const Mesh& mesh, const PhotoScene& scene, double lea
   const std::vector<double> areas = vertex_areas(mesh);
   for (std::size_t v = 0; v < areas.size(); ++v) observed += is_observed[v] ? areas[v] : 0;
   doubt.share = share_of(doubt.places, scene.pixel, observed);
+  doubt.small_window_places =
+      places_of_small_windows(mesh, laplacian, scene, least_cosine, options, progress);
+  doubt.small_window_share = share_of(doubt.small_window_places, scene.pixel, observed);
   doubt.hidden_places = places_of(hidden_vertices(mesh, is_observed, scene, least_cosine), mesh,
                                   laplacian, scene.pixel);
   doubt.hidden_share = share_of(doubt.hidden_places, scene.pixel, surface_area(mesh));

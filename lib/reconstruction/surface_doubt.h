@@ -7,6 +7,10 @@
 /// less than six pixels thick at more than half of its vertices (local_thickness.h). It has a
 /// handle if a loop in it does not separate the surface: photographs then contradict all of a
 /// handle or tunnel there (place_loops.h).
+///
+/// Places are also found by windows of 3x3 pixels. A film across a hole that photographs show at
+/// grazing angles is narrow in the photographs. Larger windows there contain mostly the surface
+/// around the hole, on which photographs agree.
 #pragma once
 
 #include <cstddef>
@@ -26,6 +30,9 @@ struct SurfaceDoubt {
   std::vector<double> of_vertex;  ///< doubt of each vertex, rounded to six digits
   /// Doubtful places of at least 25 squared pixels, the largest first.
   std::vector<DoubtfulPlace> places;
+  /// Doubtful places by windows of 3x3 pixels, also of at least 25 squared pixels.
+  std::vector<DoubtfulPlace> small_window_places;
+  double small_window_share = 0;  ///< area of these places, as a fraction of the visible area
   /// Thin places that fewer than two views observe (unobserved_fins()).
   std::vector<DoubtfulPlace> unobserved_fins;
   /// Hidden places of at least 25 squared pixels, the largest first (hidden_vertices.h).
@@ -63,7 +70,7 @@ std::vector<std::vector<Index>> unobserved_fins(const Mesh& mesh,
                                                 const Progress& progress = {});
 
 /// Measures a surface by photographs of full size: `scene` must have scale 1. Throws as
-/// disagreement() and local_thickness() do. Takes as long as disagreement(), and also
+/// disagreement() and local_thickness() do. Takes twice as long as disagreement(), and also
 /// local_thickness() if there are doubtful places. The result does not depend on the number of
 /// threads.
 SurfaceDoubt surface_doubt(const Mesh& mesh, const PhotoScene& scene, double least_cosine,

@@ -173,6 +173,15 @@ compared() { # KEY MESH
   [[ $stderr == *"explodes at scale "* ]]
 }
 
+@test "thin limbs that edges of coarse scales cannot follow do not explode" {
+  tm-shape figure --faces 60000 -o figure.ply
+  tm-photograph --size 120x90 --write-images images --write-silhouettes masks -o par.txt figure.ply
+  tm-reconstruct --cameras par.txt --images images --silhouettes masks --report report.json -o out.ply -q
+  tm-compare --reference figure.ply --distance 1 out.ply >compared
+  below "$(awk '$1 == "accuracy:" { print $2 }' compared)" \
+    "$(awk -v pixel="$(value pixel_size report.json)" 'BEGIN { print 1.2 * pixel }')"
+}
+
 @test "the report has what all reports have; the result has one comment of the program, or none" {
   for key in '"options": {' '"cameras": ' '"coarsest": "auto"' '"peak_memory_bytes": '; do
     grep -q "^ *$key" "$scene/whole.json" || fail "no $key"

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "helpers/shapes.h"
@@ -48,6 +50,22 @@ TEST_CASE("a handle stays if photographs agree hardly better without it, or show
   stages.settle = [](Document&) { throw std::runtime_error("nothing is left"); };
   CHECK(try_without_handles(document, 0.7, stages) == 0U);
   CHECK(genus(document) == 1);
+}
+
+TEST_CASE("no pits stay where a tunnel was cut") {
+  // The hole of this torus is 0.2 wide at z = 0, and has a rim of radius 1 at z = 0.9.
+  Document document{test::torus(1, 0.9, 60, 60), {}, {}};
+  const auto depth_of_middle = [&] {
+    double depth = 1;
+    for (const Vec3& p : document.mesh.positions)
+      if (std::hypot(p.x(), p.y()) < 0.2) depth = std::min(depth, std::abs(p.z()));
+    return depth;
+  };
+  CHECK(depth_of_middle() < 0.01);
+  // More windows show the surface across the tunnel than its walls.
+  CHECK(try_without_handles(document, 0.7, Evidence{{1, 0.3, 0}, {9, 1.8, 0}}.stages()) == 1U);
+  CHECK(genus(document) == 0);
+  CHECK(depth_of_middle() > 0.3);
 }
 
 TEST_CASE("handles with longer loops are not tried") {

@@ -86,6 +86,19 @@ TEST_CASE("a surface that is too small is doubtful where it is visible") {
   CHECK(doubt.share > 0.4);
 }
 
+TEST_CASE("a groove that hardly spans a window is found by small windows") {
+  Mesh mesh = icosphere(5);
+  CHECK(doubt_of(mesh).small_window_share < 0.01);
+  // A pixel is 0.019 wide. The axis of the ring of cameras is y.
+  for (Vec3& p : mesh.positions)
+    if (std::abs(p.y()) < 0.03) p *= 0.8;
+  const SurfaceDoubt doubt = doubt_of(mesh);
+  CHECK(doubt.share < 0.03);
+  CHECK(doubt.small_window_share > 0.04);
+  REQUIRE_FALSE(doubt.small_window_places.empty());
+  CHECK(std::abs(doubt.small_window_places.front().center.y()) < 0.03);
+}
+
 TEST_CASE("a thin part is an unobserved fin unless two views observe one of its sides") {
   constexpr double pixel = 0.01;
   for (const double half_thickness : {0.02, 0.2}) {
