@@ -181,6 +181,16 @@ cracked() {
   [ -z "$stderr" ]
 }
 
+@test "closing a body that is inside out is no loss of volume" {
+  tm-shape box 2 2 2 --faces 12 -o box.ply
+  tm-transform --translate 9,0,0 box.ply | tm-select --invert --box 7,-2,0.9,11,2,2 | tm-stitch --flip |
+    tm-cat box.ply - -o both.ply
+  run --separate-stderr tm-repair both.ply -o repaired.ply
+  assert_status 0
+  [[ $stderr == *"tm-fill"*"volume -8"* && $stderr != *"removes"* ]] || fail "$stderr"
+  is_solid repaired.ply 16
+}
+
 @test "--picture shows what was lost and what is new" {
   tm-shape sphere --faces 2000 -o ball.ply
   tm-select --box -2,-2,-2,2,2,0.7 ball.ply -o bowl.ply
