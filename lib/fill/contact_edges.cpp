@@ -13,10 +13,10 @@
 namespace transformesh {
 namespace {
 
-/// Least mean cosine of the angles between the faces at a loop and its patch. It is -1 at a flat
-/// tongue of faces that extends into a hole, because the patch is on the tongue, and -0.71 if the
-/// tongue bends around an edge of a cube. It is 0 at a hemisphere, -0.33 at a regular tetrahedron
-/// without a face, and positive at small holes of bodies.
+/// Least mean cosine of the angles between the faces at a loop and its patch. The patch of a tongue
+/// of faces that extends into a hole is on the tongue. Its cosine is -1 if the tongue is flat, and
+/// -0.71 if it bends around an edge of a cube. The cosine is 0 at a hemisphere, -0.33 at a regular
+/// tetrahedron without a face, and positive at small holes of bodies.
 constexpr double least_facing = -0.5;
 
 /// Largest ratio of the area of two patches to that of one patch for both. It is 2 for long edges
@@ -67,7 +67,7 @@ double area_of_patch(const Mesh& mesh, const HoleLoop& loop,
 /// An edge of the mesh between two vertices of a loop that are not neighbors on the loop.
 struct Chord {
   Index halfedge;
-  std::pair<Index, Index> places;  ///< of its source and its target on the loop, ascending
+  std::pair<Index, Index> places;  ///< places of source and target on the loop, ascending
 };
 
 /// Returns the part of a loop from one place to another, after `first`.

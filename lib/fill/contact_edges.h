@@ -1,8 +1,8 @@
 /// Separates bodies that are connected only because faces at an edge along which they touch are
 /// missing. If each body lacks one of its two faces at the edge, the two remaining faces look like
 /// neighbors, and one hole surrounds both gaps. An edge is cut if it connects two vertices of a
-/// border loop, and the patches of the two loops that the cut makes neither fold back onto the
-/// faces at their loops nor have much more area than a patch of the whole loop. Deterministic.
+/// border loop, so that the cut makes two loops. Their patches must not fold back onto the faces at
+/// the loops, nor have much more area than a patch of the whole loop. Deterministic.
 #pragma once
 
 #include <functional>
