@@ -3,13 +3,13 @@
 /// mesh, an earlier patch or itself, or has a face without area. Then patches without fairing or
 /// refinement, and with another triangulation, are tried. If none fits, the hole stays open.
 /// Intersections, except those of the input, are decided exactly in coordinates as written.
-/// Holes may touch at a vertex. Copies of the vertex are joined; if holes at it stay open, the
-/// vertex is copied for each umbrella of faces. Other input vertices and all input faces stay, with
-/// order and columns; new ones follow. The result is an oriented manifold.
-/// Numeric columns of new vertices are the mean of the three nearest border vertices, weighted by
-/// inverse distance. Columns of new faces are 0, and empty for lists. Deterministic for any number
-/// of threads. Throws InputError if an edge is not manifold or not oriented, naming the place.
-/// Cost: that of the patches, and O(n) for each hole.
+/// Holes may touch at a vertex: its copies are joined, or it is copied for each umbrella if holes
+/// stay open. A hole of two bodies that touch along an edge is cut there: the ends are copied.
+/// Other input vertices and all input faces stay, with order and columns; new ones follow. The
+/// result is an oriented manifold. Numeric columns of new vertices are the mean of the three
+/// nearest border vertices, weighted by inverse distance. Columns of new faces are 0, and empty for
+/// lists. Deterministic for any number of threads. Throws InputError if an edge is not manifold or
+/// not oriented, naming the place. Cost: that of the patches, and O(n) for each hole.
 #pragma once
 
 #include <cstddef>

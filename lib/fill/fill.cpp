@@ -7,6 +7,7 @@
 #include <span>
 #include <unordered_map>
 
+#include "fill/contact_edges.h"
 #include "fill/face_search.h"
 #include "fill/hole_loops.h"
 #include "fill/hole_neighborhood.h"
@@ -42,6 +43,12 @@ void check(const Mesh& mesh, const ManifoldReport& found, const FillOptions& opt
                               manifold_problem(mesh, found, false)));
 }
 
+bool is_too_large(const Mesh& mesh, const HoleLoop& loop, const FillOptions& options) {
+  Box box;
+  for (const Index h : loop) box.extend(mesh.positions[halfedge_source(mesh, h)]);
+  return loop.size() > options.max_edges || box.diagonal().norm() > options.max_diameter;
+}
+
 class Filler {
  public:
   Filler(Mesh& mesh, const FillOptions& options)
@@ -74,7 +81,6 @@ class Filler {
   void add(const HolePatch& patch, const HoleNeighborhood& part, const HoleLoop& loop);
   /// Describes the hole, with its first halfedge instead of a vertex.
   OpenHole open_hole(const HoleLoop& loop) const;
-  bool is_too_large(const HoleLoop& loop) const;
   std::vector<Index> vertices_of(const HoleLoop& loop) const;
 
   Mesh& mesh_;
@@ -93,15 +99,6 @@ OpenHole Filler::open_hole(const HoleLoop& loop) const {
         (mesh_.positions[halfedge_target(mesh_, h)] - mesh_.positions[halfedge_source(mesh_, h)])
             .norm();
   return hole;
-}
-
-bool Filler::is_too_large(const HoleLoop& loop) const {
-  Vec3 low = mesh_.positions[halfedge_source(mesh_, loop.front())], high = low;
-  for (const Index h : loop) {
-    low = low.cwiseMin(mesh_.positions[halfedge_source(mesh_, h)]);
-    high = high.cwiseMax(mesh_.positions[halfedge_source(mesh_, h)]);
-  }
-  return loop.size() > options_.max_edges || (high - low).norm() > options_.max_diameter;
 }
 
 std::vector<Index> Filler::vertices_of(const HoleLoop& loop) const {
@@ -186,7 +183,7 @@ void Filler::fill(const std::vector<HoleLoop>& loops) {
 bool Filler::fill_opening(const std::vector<HoleLoop>& loops) {
   HoleLoop all;
   for (const HoleLoop& loop : loops) all.insert(all.end(), loop.begin(), loop.end());
-  const bool is_large = is_too_large(all);
+  const bool is_large = is_too_large(mesh_, all, options_);
   std::vector<Index> faces;
   const HoleNeighborhood part = part_around(all, faces);
   std::vector<HoleLoop> borders = loops;
@@ -206,7 +203,7 @@ bool Filler::fill_opening(const std::vector<HoleLoop>& loops) {
 
 void Filler::fill_loop(const HoleLoop& loop) {
   ++result_.holes;
-  if (is_too_large(loop)) {
+  if (is_too_large(mesh_, loop, options_)) {
     result_.too_large.push_back(open_hole(loop));
     return;
   }
@@ -276,9 +273,11 @@ FillResult fill_holes(Mesh& mesh, const FillOptions& options, const Progress& pr
   const ManifoldReport found = check_manifold(mesh);
   check(mesh, found, options);
   if (found.is_closed()) return {};
-  const std::vector<Face> before = mesh.faces;
+  std::vector<Face> before = mesh.faces;
   std::vector<HoleLoop> loops = join_touching_holes(mesh, found.border_halfedges);
   const bool any_touch = mesh.faces != before || !found.nonmanifold_vertices.empty();
+  cut_contact_edges(mesh, before, loops,
+                    [&](const HoleLoop& loop) { return !is_too_large(mesh, loop, options); });
   Filler filler(mesh, options);
   for (const std::vector<HoleLoop>& hole : group_openings(mesh, std::move(loops))) {
     progress("filling holes");

@@ -181,6 +181,64 @@ cracked() {
   [ -z "$stderr" ]
 }
 
+@test "closing a body that is inside out is no loss of volume" {
+  tm-shape box 2 2 2 --faces 12 -o box.ply
+  tm-transform --translate 9,0,0 box.ply | tm-select --invert --box 7,-2,0.9,11,2,2 | tm-stitch --flip |
+    tm-cat box.ply - -o both.ply
+  run --separate-stderr tm-repair both.ply -o repaired.ply
+  assert_status 0
+  [[ $stderr == *"tm-fill"*"volume -8"* && $stderr != *"removes"* ]] || fail "$stderr"
+  is_solid repaired.ply 16
+}
+
+@test "bodies stay apart that lack faces at the edge along which they touch" {
+  # The boxes touch along the edge from vertex 6 to 7; one of two faces of each box is missing there.
+  cat >touching.off <<'END'
+OFF
+14 22 0
+0 0 0
+2 0 0
+0 2 0
+0 0 1
+2 0 1
+0 2 1
+2 2 0
+2 2 1
+4 2 0
+2 4 0
+4 4 0
+4 2 1
+2 4 1
+4 4 1
+3 0 2 6
+3 0 6 1
+3 3 4 7
+3 3 7 5
+3 0 1 4
+3 0 4 3
+3 0 3 5
+3 0 5 2
+3 1 6 7
+3 1 7 4
+3 2 5 7
+3 6 9 10
+3 6 10 8
+3 7 11 13
+3 7 13 12
+3 6 8 11
+3 6 11 7
+3 6 12 9
+3 9 12 13
+3 9 13 10
+3 8 10 13
+3 8 13 11
+END
+  run --separate-stderr tm-repair touching.off -o repaired.ply
+  assert_status 0
+  is_solid repaired.ply 8
+  [ "$(tm-info --get components repaired.ply)" = 2 ]
+}
+
 @test "--picture shows what was lost and what is new" {
   tm-shape sphere --faces 2000 -o ball.ply
   tm-select --box -2,-2,-2,2,2,0.7 ball.ply -o bowl.ply

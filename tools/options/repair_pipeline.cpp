@@ -73,9 +73,11 @@ std::string joined(const std::vector<std::string>& commands, const std::string& 
 }
 
 /// Prints a note about a large loss of volume. `volume` is the volume before the step. An open mesh
-/// and a mesh that is inside out have no volume to lose.
+/// and a mesh that is inside out have no volume to lose. Filling removes nothing: it closes bodies,
+/// whose volume is negative if they are still inside out.
 void note_volume_loss(const RepairStep& step, double volume, const Run& run) {
   if (!(volume > 0 && -step.volume_change > large_share * volume)) return;
+  if (std::holds_alternative<FillOptions>(step.operation)) return;
   const bool cleans = std::holds_alternative<CleanOptions>(step.operation);
   run.note(command_of(step) + " removes " + percent_text(-step.volume_change / volume) +
            " % of the volume" + (cleans ? ", in which overlaps counted once for each part" : "") +

@@ -54,14 +54,18 @@ bool is_ply_start(std::string_view bytes) {
 }
 
 /// True if the file is text STL. Many binary STL files also start with `solid`, but only text files
-/// continue with `facet` or `endsolid`.
+/// continue with `facet` or `endsolid`. The end of the searched bytes may be within this word.
 bool is_ascii_stl(std::string_view bytes) {
   const std::string start = lower_case(bytes.substr(0, 2000));
   if (first_word(start) != "solid" || start.find('\0') != std::string::npos) return false;
   const std::size_t word = start.find("solid");
   const std::size_t line_end = std::min(start.find_first_of("\r\n", word), start.size());
   const std::string_view next = first_word(std::string_view(start).substr(line_end));
-  return next == "facet" || next == "endsolid" || next.empty();
+  const bool is_cut = next.data() + next.size() == start.data() + start.size();
+  const auto continues_with = [&](std::string_view keyword) {
+    return next == keyword || (is_cut && keyword.starts_with(next));
+  };
+  return continues_with("facet") || continues_with("endsolid");
 }
 
 bool is_obj_start(std::string_view bytes, std::string_view word) {

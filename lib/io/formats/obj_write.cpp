@@ -54,8 +54,8 @@ class ObjWriter {
 
  private:
   void add_comment_lines() {
-    const std::vector<std::string>& all = document_.style.comments;
-    std::vector<std::string> comments;
+    std::vector<std::string> all, comments;
+    for (const std::string& comment : document_.style.comments) all.push_back(as_comment(comment));
     std::remove_copy_if(all.begin(), all.end(), std::back_inserter(comments), is_obj_comment);
     add_comments("#", comments, text_);
     for (const std::string& comment : all)

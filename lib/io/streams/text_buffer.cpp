@@ -1,5 +1,7 @@
 #include "io/streams/text_buffer.h"
 
+#include <algorithm>
+
 namespace transformesh {
 namespace {
 
@@ -31,12 +33,17 @@ void TextBuffer::grow(std::size_t size) {
   end_ = text_.data() + used;
 }
 
+std::string as_comment(std::string comment) {
+  std::replace_if(comment.begin(), comment.end(), is_blanked, ' ');
+  return comment;
+}
+
 void add_comments(std::string_view mark, const std::vector<std::string>& comments,
                   TextBuffer& text) {
   for (const std::string& comment : comments) {
     text.add(mark);
     if (!comment.empty()) text.add(' ');
-    for (const char c : comment) text.add(is_blanked(c) ? ' ' : c);
+    text.add(as_comment(comment));
     text.add('\n');
   }
 }

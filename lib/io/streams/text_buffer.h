@@ -45,8 +45,10 @@ class TextBuffer {
   char* end_ = nullptr;
 };
 
-/// Appends one line for each comment: the mark, a space, the text. Line ends and bytes below the
-/// tab become blanks.
+/// Returns a comment as it is written: line ends and bytes below the tab become blanks.
+std::string as_comment(std::string comment);
+
+/// Appends one line for each comment: the mark, a space, and as_comment().
 void add_comments(std::string_view mark, const std::vector<std::string>& comments,
                   TextBuffer& text);
 

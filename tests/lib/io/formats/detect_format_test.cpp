@@ -94,6 +94,15 @@ TEST_CASE("a written file is detected as its format, for any comment") {
   }
 }
 
+TEST_CASE("text STL is detected for names of any length") {
+  for (std::size_t length = 1900; length < 2050; ++length) {
+    const std::string start = "solid " + std::string(length, 'x') + "\n";
+    CAPTURE(length);
+    CHECK(kind(start + "facet normal 0 0 1\n") == FileKind::stl_ascii);
+    CHECK(kind(start + "endsolid\n") == FileKind::stl_ascii);
+  }
+}
+
 TEST_CASE("other formats are detected by their first bytes") {
   CHECK(kind("glTF\2") == FileKind::gltf);
   CHECK(kind(" {\"asset\": {}}") == FileKind::gltf);

@@ -65,6 +65,14 @@ TEST_CASE("obj: comments, libraries and labels are lines of their own") {
   CHECK(result.notes.empty());
 }
 
+TEST_CASE("obj: a comment that becomes that of a label by its blanks is left out") {
+  Document document = obj_document();
+  document.style.comments = {std::string("tm:object\0x", 11), "tm:group\r1 wing", "by\nhand"};
+  const std::string bytes = write_mesh(document).bytes;
+  CHECK(bytes.starts_with("# by hand\nv "));
+  CHECK(write_mesh(read_mesh(bytes, "-").document).bytes == bytes);
+}
+
 TEST_CASE("obj: texture coordinates that are equal to the last bit are written once") {
   Document document = obj_document();
   Column lists{"texcoord", Scalar::float64, {0, 0, -0.0, 0, 0, 0}, Scalar::uint8, {0, 6, 6}};
