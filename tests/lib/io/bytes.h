@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "transformesh/errors.h"
 #include "transformesh/mesh_io.h"
@@ -75,7 +76,7 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-inline const Column& column(const Columns& columns, const std::string& name) {
+inline const Column& column(const Columns& columns, std::string_view name) {
   const Column* found = columns.find(name);
   REQUIRE(found != nullptr);
   return *found;
