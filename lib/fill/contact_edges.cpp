@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "fill/hole_patch.h"
 #include "fill/hole_triangulation.h"
@@ -70,11 +71,15 @@ struct Chord {
   std::pair<Index, Index> places;  ///< places of source and target on the loop, ascending
 };
 
-/// Returns the part of a loop from one place to another, after `first`.
-HoleLoop cut_loop(const HoleLoop& loop, Index first, Index from, Index to) {
-  HoleLoop result{first};
+/// The part of a loop from one place to another, closed by a halfedge of a chord.
+struct LoopPart {
+  Index closing, from, to;
+};
+
+HoleLoop loop_of(const LoopPart& part, const HoleLoop& loop) {
+  HoleLoop result{part.closing};
   const auto size = static_cast<Index>(loop.size());
-  for (Index i = from; i != to; i = (i + 1) % size) result.push_back(loop[i]);
+  for (Index i = part.from; i != part.to; i = (i + 1) % size) result.push_back(loop[i]);
   return result;
 }
 
@@ -137,14 +142,18 @@ std::optional<HoleLoop> ContactCutter::cut(HoleLoop& loop) {
   std::vector<std::pair<Index, Index>> inner;
   for (const Chord& chord : chords) inner.push_back(chord.places);
   std::ranges::sort(inner);
-  const auto is_of_body = [&](const HoleLoop& part) {
-    return may_fill_(part) && facing_of(mesh_, part) >= least_facing;
+  const auto is_of_body = [&](const LoopPart& part) {
+    const HoleLoop edges = loop_of(part, loop);
+    return may_fill_(edges) && facing_of(mesh_, edges) >= least_facing;
   };
   std::optional<double> whole;
   for (const auto& [h, places] : chords) {
-    HoleLoop one = cut_loop(loop, h, places.second, places.first);
-    HoleLoop other = cut_loop(loop, opposites_[h], places.first, places.second);
-    if (!is_of_body(one) || !is_of_body(other)) continue;
+    LoopPart shorter{opposites_[h], places.first, places.second};
+    LoopPart longer{h, places.second, places.first};
+    if (2 * (places.second - places.first) > loop.size()) std::swap(shorter, longer);
+    // The shorter part alone rejects a tongue of faces, of which a ragged border has many.
+    if (!is_of_body(shorter) || !is_of_body(longer)) continue;
+    HoleLoop one = loop_of(longer, loop), other = loop_of(shorter, loop);
     if (!whole) whole = area_of_patch(mesh_, loop, inner);
     const double both = area_of_patch(mesh_, one) + area_of_patch(mesh_, other);
     if (!(both > 0 && both <= largest_ratio * *whole)) continue;  // areas may underflow
