@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/inward_components.h"
 #include "transformesh/events.h"
 
 namespace transformesh {
@@ -29,12 +30,13 @@ std::vector<ComponentState> component_states(const Mesh& mesh, const Components&
     for (const Index v : mesh.faces[f])
       if (!std::exchange(is_counted[v], 1)) points[component].push_back(mesh.positions[v]);
   }
+  const std::vector<char> is_inward = inward_components(mesh, components);
   for (std::size_t i = 0; i < states.size(); ++i) {
     const Component& component = components.components[i];
     if (!states[i].labels.empty()) states[i].label = *states[i].labels.begin();
     states[i].genus = component.genus();
     states[i].volume = component.volume;
-    states[i].is_cavity = component.boundary_loops == 0 && component.volume < 0;
+    states[i].is_cavity = is_inward[i] != 0;
     states[i].extent = extent_of(points[i]);
   }
   return states;

@@ -1,10 +1,10 @@
 #include "clean/exterior/exterior.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "clean/exterior/ray_cast_front_winding.h"
+#include "geometry/inward_components.h"
 #include "transformesh/components.h"
 
 namespace transformesh {
@@ -83,11 +83,7 @@ std::size_t drop_enclosed_components(Mesh& mesh) {
 // A component of a clean mesh that is inside another component bounds a cavity, or is inside a
 // cavity.
 std::size_t drop_enclosed_components(Mesh& mesh, const Components& components) {
-  std::vector<char> is_cavity;
-  for (const Component& c : components.components) {
-    // A negative volume may underflow to -0.
-    is_cavity.push_back(c.boundary_loops == 0 && std::signbit(c.volume));
-  }
+  const std::vector<char> is_cavity = inward_components(mesh, components);
   const std::size_t cavities = drop_components(mesh, components, is_cavity);
   if (cavities == 0) return 0;
   const Components solids = connected_components(mesh);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <tuple>
 #include <vector>
 
 #include "clean/stitch/weld.h"
+#include "geometry/inward_components.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/drop_faces.h"
 #include "mesh/edges.h"
@@ -189,11 +189,10 @@ std::size_t drop_copies(Mesh& mesh, bool drops_walls) {
 
 std::size_t turn_outwards(Mesh& mesh) {
   const Components all = connected_components(mesh);
+  const std::vector<char> is_inward = inward_components(mesh, all);
   std::size_t turned = 0;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
-    const Component& component = all.components[all.of_face[f]];
-    // A negative volume may underflow to -0.
-    if (component.boundary_loops > 0 || !std::signbit(component.volume)) continue;
+    if (!is_inward[all.of_face[f]]) continue;
     std::swap(mesh.faces[f][1], mesh.faces[f][2]);
     reverse_corner_lists(mesh, static_cast<Index>(f));
     ++turned;

@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "geometry/inward_components.h"
 #include "geometry/ray_cast_winding.h"
 #include "geometry/search/bvh.h"
 #include "geometry/winding_hierarchy.h"
@@ -44,8 +45,6 @@ class Bodies {
   void for_each_within(Index outer, const Visit& visit) const;
   std::vector<std::vector<Index>> containers() const;
   double volume(Index part) const { return parts_.components[part].volume; }
-  /// True if the volume is negative, also if it underflows to -0.
-  bool is_negative(Index part) const { return std::signbit(volume(part)); }
   bool is_closed(Index part) const { return parts_.components[part].boundary_loops == 0; }
   void erase_enclosed(std::vector<Index>& inners) const;
   bool most_vote(Index inner, const std::function<std::optional<bool>(const Vec3&)>& vote) const;
@@ -53,6 +52,7 @@ class Bodies {
 
   const Mesh& mesh_;
   Components parts_;
+  std::vector<char> is_negative_;  ///< 1 for closed components with a negative volume
   std::vector<Box> boxes_;
   BoxFrame frame_;
   Bvh tree_;  ///< search tree of the bounding boxes of the components
@@ -60,7 +60,10 @@ class Bodies {
 };
 
 Bodies::Bodies(const Mesh& mesh)
-    : mesh_(mesh), parts_(connected_components(mesh)), frame_(mesh.positions) {
+    : mesh_(mesh),
+      parts_(connected_components(mesh)),
+      is_negative_(inward_components(mesh, parts_)),
+      frame_(mesh.positions) {
   boxes_.resize(parts_.components.size());
   faces_.resize(parts_.components.size());
   for (Index f = 0; f < mesh.faces.size(); ++f) {
@@ -73,11 +76,7 @@ Bodies::Bodies(const Mesh& mesh)
   tree_ = Bvh(boxes);
 }
 
-bool Bodies::any_negative() const {
-  for (Index part = 0; part < faces_.size(); ++part)
-    if (is_closed(part) && is_negative(part)) return true;
-  return false;
-}
+bool Bodies::any_negative() const { return std::ranges::count(is_negative_, 1) > 0; }
 
 Mesh Bodies::mesh_of(Index part) const {
   Mesh result;
@@ -176,7 +175,7 @@ std::vector<char> Bodies::inward() const {
   std::vector<char> is_inward(around.size(), 0);
   std::vector<Index> roots;
   for (Index part = 0; part < around.size(); ++part)
-    if (is_closed(part) && is_negative(part) && around[part].empty()) roots.push_back(part);
+    if (is_negative_[part] && around[part].empty()) roots.push_back(part);
   erase_enclosed(roots);
   for (const Index part : roots) is_inward[part] = 1;
   for (Index part = 0; part < around.size(); ++part) {
@@ -195,7 +194,7 @@ std::vector<char> Bodies::against_nesting() const {
   std::vector<char> is_wrong(around.size(), 0);
   for (Index part = 0; part < around.size(); ++part) {
     const bool is_cavity = around[part].size() % 2 == 1;
-    is_wrong[part] = is_closed(part) && is_negative(part) != is_cavity ? 1 : 0;
+    is_wrong[part] = is_closed(part) && is_negative_[part] != is_cavity ? 1 : 0;
   }
   return is_wrong;
 }
@@ -204,9 +203,9 @@ bool Bodies::any_in_body() const {
   const std::vector<std::vector<Index>> around = containers();
   for (Index part = 0; part < around.size(); ++part) {
     int winding = 0;
-    for (const Index outer : around[part]) winding += is_negative(outer) ? -1 : 1;
+    for (const Index outer : around[part]) winding += is_negative_[outer] ? -1 : 1;
     const bool is_inside = is_closed(part) && !around[part].empty();
-    if (is_inside && winding != (is_negative(part) ? 1 : 0)) return true;
+    if (is_inside && winding != is_negative_[part]) return true;
   }
   return false;
 }
