@@ -216,7 +216,8 @@ setup() {
   refused tm-align t.ply --reference other.ply --write-matrix other.ply
   refused tm-intersect t.ply --pairs t.ply
   refused tm-intersect t.ply --segments t.ply
-  refused tm-repair t.ply --picture t.ply
+  ln -s t.ply picture.png
+  refused tm-repair t.ply --picture picture.png
   refused tm-morph-step t.ply --target other.ply --write-target t.ply
   refused tm-select --plane 0,0,1,0.1 t.ply --section t.ply
   refused tm-evolve t.ply --step tm-convert -o x.ply --csv t.ply
@@ -231,6 +232,23 @@ setup() {
   tm-convert -q t.ply --report /dev/null -o /dev/null
   tm-convert -q t.ply -o /dev/null --report /dev/stderr
   [ "$(cat t.ply other.ply | cksum)" = "$sum" ]
+}
+
+@test "an option that writes one format refuses names of another" {
+  refused() { # ENDING COMMAND...
+    run --separate-stderr "${@:2}"
+    assert_status 2
+    one_line "$stderr"
+    [[ $stderr == *"ends in $1, which is not an output format; take ."* ]] || fail "$stderr"
+    [ ! -e "side$1" ]
+  }
+  refused .jpg tm-repair t.ply --picture side.jpg -o x.ply
+  refused .png tm-select --plane 0,0,1,0.1 t.ply --section side.png -o x.ply
+  refused .obj tm-intersect t.ply --segments side.obj
+  refused .stl tm-morph-step t.ply --target t.ply --write-target side.stl -o x.ply
+  refused .jpg tm-info t.ply --per-vertex side.jpg
+  refused .jpg tm-compare t.ply --reference t.ply --per-vertex side.jpg
+  [ ! -e x.ply ]
 }
 
 @test "two options name the same output file" {

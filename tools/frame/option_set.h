@@ -38,6 +38,7 @@ struct Option {
   bool is_common = false;
   bool is_listed = true;   ///< true: the help lists the option
   bool is_output = false;  ///< true: the value is the name of a file that the program writes
+  std::vector<std::string> endings;  ///< endings that its name may have; if empty, any
   bool is_given = false;
 
   std::string name() const { return names.substr(0, names.find(',')); }

@@ -27,6 +27,15 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
+/// Throws UsageError if the name of a file that an option writes has none of the endings.
+void check_ending(const std::string& option, const std::string& name,
+                  const std::vector<std::string>& known, const std::string& advice) {
+  const std::string ending = unknown_ending(name, known);
+  if (!ending.empty())
+    throw UsageError("--" + option + ": '" + name + "' ends in " + ending +
+                     ", which is not an output format; " + advice);
+}
+
 }  // namespace
 
 bool Outputs::is_terminal() const { return name() == "-" && isatty(STDOUT_FILENO) == 1; }
@@ -39,10 +48,7 @@ void Outputs::print_line(const std::string& text) {
 
 void Outputs::check_name() const {
   const auto check = [&](const std::vector<std::string>& known, const std::string& advice) {
-    const std::string ending = unknown_ending(name(), known);
-    if (!ending.empty())
-      throw UsageError("--output: '" + name() + "' ends in " + ending +
-                       ", which is not an output format; " + advice);
+    check_ending("output", name(), known, advice);
   };
   const OutputRules& rules = program_.output;
   if (rules.writes == Writes::picture)
@@ -65,6 +71,8 @@ void Outputs::check_files(bool is_main_folder) const {
     if (!option.is_output || (is_main ? is_main_folder : path.empty())) continue;
     if (path == "-" && !is_main && program_.is_evolution())
       throw UsageError(dashed + ": name a file, because standard output holds the mesh");
+    if (!option.endings.empty())
+      check_ending(option.name(), path, option.endings, "take " + listed(option.endings));
     check_writable(path);
     const std::string target = end_of_links(path);
     if (is_written_directly(target)) continue;

@@ -51,10 +51,11 @@ void declare_cut(Program& program, CutChoices& choices) {
       "plane", &choices.plane, "A,B,C,D",
       "keep the part where a x + b y + c z >= d, and cut faces across the plane");
   program.options.flag("cap", &choices.cap, "with --plane: close the cut; the mesh must be closed");
-  program.options.output_file(
-      "section", &choices.section,
-      "write the curves in which the plane intersects the faces: an .svg drawing, "
-      "else a PLY with edges");
+  program.options
+      .output_file("section", &choices.section,
+                   "write the curves in which the plane intersects the faces: an .svg drawing, "
+                   "else a PLY with edges")
+      .endings = {".svg", ".ply"};
 }
 
 }  // namespace transformesh::tool

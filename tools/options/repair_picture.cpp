@@ -10,10 +10,11 @@ namespace transformesh::tool {
 #ifdef TM_SHOW
 
 void declare_repair_picture(Program& program, std::string& file) {
-  program.options
-      .output_file("picture", &file,
-                   "draw input and result as a PNG picture: removed faces red, new faces green")
-      .affects_result = false;
+  Option& picture = program.options.output_file(
+      "picture", &file,
+      "draw input and result as a PNG picture: removed faces red, new faces green");
+  picture.affects_result = false;
+  picture.endings = {".png"};
 }
 
 void write_repair_picture(const Mesh& input, const RepairResult& result, const std::string& file,

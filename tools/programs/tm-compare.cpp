@@ -2,6 +2,7 @@
 #include "clean/open/join_soup.h"
 #include "frame/run.h"
 #include "io/document/unit.h"
+#include "io/formats/file_format.h"
 #include "support/error_prefix.h"
 #include "transformesh/compare.h"
 #include "transformesh/errors.h"
@@ -88,9 +89,11 @@ int main(int argc, char** argv) {
                          "completeness; 1% is 1 % of the diagonal of its box");
   program.options.length("within", &options.within,
                          "exit with 1 if hausdorff is larger than this (default: no limit)");
-  program.options.output_file(
-      "per-vertex", &options.per_vertex,
-      "write the mesh with the vertex property distance, the distance from the reference");
+  program.options
+      .output_file(
+          "per-vertex", &options.per_vertex,
+          "write the mesh with the vertex property distance, the distance from the reference")
+      .endings = written_endings();
   program.options.flag("signed", &options.is_signed,
                        "with --per-vertex: distances are negative inside the reference");
   program.options.integer("samples", &options.compare.samples, 0, 1000000000,

@@ -3,6 +3,7 @@
 
 #include "frame/run.h"
 #include "io/document/unit.h"
+#include "io/formats/file_format.h"
 #include "io/polygons/merge_polygons.h"
 #include "transformesh/errors.h"
 #include "transformesh/velocity.h"
@@ -78,9 +79,10 @@ int main(int argc, char** argv) {
       "print only the value of this key");
   program.input.may_keep_polygons = true;
   program.options.flag("units", &with_unit, "also report the unit of lengths, or unknown");
-  program.options.output_file(
-      "per-vertex", &per_vertex,
-      "write the mesh with the vertex property curvature, the mean curvature");
+  program.options
+      .output_file("per-vertex", &per_vertex,
+                   "write the mesh with the vertex property curvature, the mean curvature")
+      .endings = written_endings();
   program.output.only_key = &key;
   program.settle = [&] { program.common.keep_polygons |= key == "polygons"; };
   program.example = "tm-info --get volume mesh.ply";

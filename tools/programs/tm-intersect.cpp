@@ -75,9 +75,10 @@ int main(int argc, char** argv) {
                        "report only whether there are any pairs; stop at the first pair, and exit "
                        "with 1 if there is one");
   program.options.output_file("pairs", &options.pairs, "write the pairs of face indices as text");
-  program.options.output_file(
-      "segments", &options.segments,
-      "write the segments in which faces intersect, as edges of a PLY file");
+  program.options
+      .output_file("segments", &options.segments,
+                   "write the segments in which faces intersect, as edges of a PLY file")
+      .endings = {".ply"};
   program.options.flag(
       "refine", &options.refine,
       "split faces along the intersections; source_face is the index of the input face");

@@ -85,8 +85,10 @@ int main(int argc, char** argv) {
   program.options.number("gap-edges", &options.step.gap_edges, 0, 1e6,
                          "write the vertex property size for tm-remesh --size-field: edges with "
                          "this number across gaps and walls of the target; 0: do not");
-  program.options.output_file("write-target", &options.written_target,
-                              "write the prepared target, with estimated normals, for later steps");
+  program.options
+      .output_file("write-target", &options.written_target,
+                   "write the prepared target, with estimated normals, for later steps")
+      .endings = {".ply"};
   program.example =
       "tm-morph-step --target target.ply source.ply | tm-clean | tm-remesh > next.ply";
   return program.run(argc, argv, [&](tool::Run& run) { step(run.document(), options, run); });
