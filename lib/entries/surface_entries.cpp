@@ -83,6 +83,7 @@ Entries entries_of(const FillResult& result) {
           {"left_crossing", result.crossing.size()},
           {"left_flat", result.flat.size()},
           {"left_too_large", result.too_large.size()},
+          {"cut_edges", result.cut_edges},
           {"new_vertices", result.new_vertices},
           {"new_faces", result.new_faces}};
 }

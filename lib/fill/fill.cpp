@@ -46,7 +46,7 @@ void check(const Mesh& mesh, const ManifoldReport& found, const FillOptions& opt
 bool is_too_large(const Mesh& mesh, const HoleLoop& loop, const FillOptions& options) {
   Box box;
   for (const Index h : loop) box.extend(mesh.positions[halfedge_source(mesh, h)]);
-  return loop.size() > options.max_edges || box.diagonal().norm() > options.max_diameter;
+  return loop.size() > options.max_edges || box.diagonal().stableNorm() > options.max_diameter;
 }
 
 class Filler {
@@ -276,14 +276,15 @@ FillResult fill_holes(Mesh& mesh, const FillOptions& options, const Progress& pr
   std::vector<Face> before = mesh.faces;
   std::vector<HoleLoop> loops = join_touching_holes(mesh, found.border_halfedges);
   const bool any_touch = mesh.faces != before || !found.nonmanifold_vertices.empty();
-  cut_contact_edges(mesh, before, loops,
-                    [&](const HoleLoop& loop) { return !is_too_large(mesh, loop, options); });
+  const auto may_fill = [&](const HoleLoop& loop) { return !is_too_large(mesh, loop, options); };
+  const std::size_t cut_edges = cut_contact_edges(mesh, before, loops, may_fill);
   Filler filler(mesh, options);
   for (const std::vector<HoleLoop>& hole : group_openings(mesh, std::move(loops))) {
     progress("filling holes");
     filler.fill(hole);
   }
   FillResult result = filler.finish();
+  result.cut_edges = cut_edges;
   if (any_touch) separate_open_holes(mesh, before);
   for (std::vector<OpenHole>* holes : {&result.too_large, &result.crossing, &result.flat})
     for (OpenHole& hole : *holes) hole.vertex = halfedge_source(mesh, hole.vertex);

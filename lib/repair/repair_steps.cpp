@@ -87,6 +87,7 @@ void RepairSteps::fill(bool fair, double max_diameter) {
   RepairStep step;
   step.operation = options;
   add_finding(step, result.filled(), "hole", "filled");
+  add_finding(step, result.cut_edges, "edge", "cut where bodies touch");
   record(std::move(after), std::move(step));
 }
 

@@ -233,8 +233,12 @@ OFF
 3 8 10 13
 3 8 13 11
 END
+  tm-fill --report report.json touching.off 2>note >filled.ply
+  jq -e '.result.cut_edges == 1 and .result.filled == 2' report.json
+  [[ $(cat note) == "tm-fill: 1 edge cut where bodies touch, so that each gets a patch" ]] || fail "$(cat note)"
   run --separate-stderr tm-repair touching.off -o repaired.ply
   assert_status 0
+  [[ $stderr == *"1 edge cut where bodies touch"* ]] || fail "$stderr"
   is_solid repaired.ply 8
   [ "$(tm-info --get components repaired.ply)" = 2 ]
 }

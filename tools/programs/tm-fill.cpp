@@ -49,6 +49,9 @@ void fill_document(Document& document, const Choices& choices, tool::Run& run) {
   const FillResult result = fill_holes(document.mesh, options, run.progress());
   tool::note_dropped_sources(result.dropped_source_points, tool::closest_places, run);
   run.report(entries_of(result));
+  if (result.cut_edges > 0)
+    run.note(counted(result.cut_edges, "edge") +
+             " cut where bodies touch, so that each gets a patch");
   note_open(result, document.mesh, run);
 }
 

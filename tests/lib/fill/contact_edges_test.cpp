@@ -89,6 +89,7 @@ TEST_CASE("ends of a cut edge keep their columns, and holes beyond the limits ar
     CHECK(uncut.faces == mesh.faces);
     const FillResult result = fill_holes(mesh, {.max_edges = 3});
     CHECK(result.plain == 2);
+    CHECK(result.cut_edges == 1);
     CHECK(test::count(mesh).is_closed_and_oriented);
     CHECK(mesh.positions.size() == 16);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
