@@ -45,8 +45,7 @@ struct FillResult {
   std::size_t refined = 0;  ///< holes closed by a refined patch that is not faired
   std::size_t plain = 0;    ///< holes closed by a patch without new vertices
   std::size_t crossed = 0;  ///< holes closed by an intersecting patch (`allow_self_intersections`)
-  std::size_t new_vertices = 0, new_faces = 0;  ///< of all patches
-  std::size_t cut_edges = 0;  ///< edges of holes that were cut because two bodies touch there
+  std::size_t new_vertices = 0, new_faces = 0, cut_edges = 0;  ///< edges where bodies touch
   bool dropped_source_points = false;  ///< source points were dropped (carry.h)
   std::vector<OpenHole> too_large;     ///< holes larger than `max_edges` or `max_diameter`
   std::vector<OpenHole> crossing;      ///< holes for which each patch would intersect a face
