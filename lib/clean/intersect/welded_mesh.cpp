@@ -84,31 +84,14 @@ RawVector<Index> find_repeated(const std::vector<Vec3>& points) {
   return repeated.list();
 }
 
-// Returns for each vertex the first vertex at the same position. For most vertices, the hash alone
-// proves that no other vertex has this position.
-std::vector<Index> find_first_vertices(const std::vector<Vec3>& positions, bool& has_repeats) {
-  const RawVector<Index> repeated = find_repeated(positions);
-  FirstOfEqual vertices(repeated.size());
-  std::vector<Index> first(positions.size());
-  parallel_for_each(first.size(), [&](Index v) { first[v] = v; });
-  has_repeats = false;
-  for (const Index v : repeated) {
-    first[v] = vertices.find_or_insert(position_hash(positions[v]), v, [&](Index other) {
-      return positions[other] == positions[v];
-    });
-    has_repeats |= first[v] != v;
-  }
-  return first;
-}
-
 void number_points(const Mesh& mesh, WeldedMesh& welded) {
   const std::vector<Vec3>& positions = mesh.positions;
-  bool has_repeats = false;
-  welded.vertex_of = find_first_vertices(positions, has_repeats);
+  welded.vertex_of = find_first_vertices(positions);
   welded.point_of = welded.vertex_of;
-  if (has_repeats) {
+  const NumberedSelection points(positions.size(),
+                                 [&](std::size_t v) { return welded.vertex_of[v] == v; });
+  if (points.size() < positions.size()) {
     const std::vector<Index> first = welded.vertex_of;
-    const NumberedSelection points(first.size(), [&](std::size_t v) { return first[v] == v; });
     welded.vertex_of.resize(points.size());
     points.visit([&](std::size_t v, std::size_t point) {
       welded.point_of[v] = static_cast<Index>(point);
@@ -183,6 +166,19 @@ void keep_marked(const std::vector<char>& marks, std::vector<Thing>& things) {
 }
 
 }  // namespace
+
+// For most vertices, the hash alone proves that no other vertex has this position.
+std::vector<Index> find_first_vertices(const std::vector<Vec3>& positions) {
+  const RawVector<Index> repeated = find_repeated(positions);
+  FirstOfEqual vertices(repeated.size());
+  std::vector<Index> first(positions.size());
+  parallel_for_each(first.size(), [&](Index v) { first[v] = v; });
+  for (const Index v : repeated)
+    first[v] = vertices.find_or_insert(position_hash(positions[v]), v, [&](Index other) {
+      return positions[other] == positions[v];
+    });
+  return first;
+}
 
 WeldedMesh weld(const Mesh& mesh) {
   WeldedMesh welded;

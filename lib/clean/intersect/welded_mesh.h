@@ -44,6 +44,9 @@ struct WeldedMesh {
   }
 };
 
+/// Returns for each vertex the first vertex at the same position. O(n); parallel; deterministic.
+std::vector<Index> find_first_vertices(const std::vector<Vec3>& positions);
+
 /// Welds a mesh. Points are in the order of their first vertices, faces in mesh order. O(n); exact;
 /// deterministic.
 WeldedMesh weld(const Mesh& mesh);

@@ -170,10 +170,10 @@ std::size_t count_places(const Mesh& mesh, const std::vector<Index>& faces) {
 
 bool drop_collapsed_faces(Assembly& assembly) {
   Mesh& mesh = assembly.mesh;
-  const WeldedMesh welded = weld(mesh);
+  const std::vector<Index> first = find_first_vertices(mesh.positions);
   std::vector<char> keep(mesh.faces.size(), 1);
   for (Index f = 0; f < mesh.faces.size(); ++f) {
-    for (Index& v : mesh.faces[f]) v = welded.vertex_of[welded.point_of[v]];
+    for (Index& v : mesh.faces[f]) v = first[v];
     keep[f] = is_collapsed(mesh.faces[f]) ? 0 : 1;
   }
   cancel_opposite_faces(assembly, keep);
