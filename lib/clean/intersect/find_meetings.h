@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "clean/intersect/disjoint_faces.h"
@@ -24,6 +25,10 @@ std::vector<Meeting> find_meetings(const WeldedMesh& welded, const Progress& pro
 /// with each other.
 std::vector<FacePair> find_intersections(const Mesh& mesh, const DisjointFaces& disjoint,
                                          const Progress& progress);
+
+/// Returns what find_meetings() returns, if `pairs` are the intersecting pairs of faces of the mesh
+/// that was welded. Cost: O(k log n) for k pairs.
+std::vector<Meeting> meetings_of(const WeldedMesh& welded, std::span<const FacePair> pairs);
 
 /// Returns the number of intersecting pairs of faces. Coincident faces, which `meetings` lists
 /// once, are counted separately, and intersect each other.

@@ -234,6 +234,23 @@ std::size_t count_pairs(const WeldedMesh& welded, const std::vector<Meeting>& me
   return count;
 }
 
+std::vector<Meeting> meetings_of(const WeldedMesh& welded, std::span<const FacePair> pairs) {
+  const auto first_copy = [&](Index face) {
+    const auto at = std::lower_bound(welded.face_of.begin(), welded.face_of.end(), face);
+    return welded.first_copy[static_cast<std::size_t>(at - welded.face_of.begin())];
+  };
+  std::vector<FacePair> firsts;
+  for (const auto& [a, b] : pairs) {
+    const auto [f, g] = std::minmax({first_copy(a), first_copy(b)});
+    if (f != g) firsts.emplace_back(f, g);
+  }
+  std::sort(firsts.begin(), firsts.end());
+  firsts.erase(std::unique(firsts.begin(), firsts.end()), firsts.end());
+  std::vector<Meeting> meetings;
+  add_meetings(welded, firsts, meetings);
+  return meetings;
+}
+
 std::vector<FacePair> find_intersections(const Mesh& mesh, const Progress& progress) {
   return find_intersections(mesh, {}, progress);
 }

@@ -212,10 +212,11 @@ void CleanPassRun::stitch() {
 CleanPass CleanPassRun::run() {
   std::vector<Meeting> meetings;
   if (options_.chooser) options_.chooser->mark_open(*welded_);
-  const DisjointFaces none;
-  const DisjointFaces& disjoint = options_.disjoint ? *options_.disjoint : none;
   parallel_invoke([&] { find_borders_or_none(); },
-                  [&] { meetings = find_meetings(*welded_, Progress(), disjoint); });
+                  [&] {
+                    meetings = options_.pairs ? meetings_of(*welded_, *options_.pairs)
+                                              : find_meetings(*welded_, Progress());
+                  });
   pass_.pairs = count_pairs(*welded_, meetings);
   if (pass_.pairs > options_.most_pairs) return std::move(pass_);
   pass_.is_open = !borders_.loops.empty();

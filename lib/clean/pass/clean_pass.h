@@ -10,12 +10,12 @@
 #include <optional>
 
 #include "clean/arrange/arrange.h"
-#include "clean/intersect/disjoint_faces.h"
 #include "clean/pass/piece_chooser.h"
 #include "clean/stitch/assemble.h"
 #include "transformesh/clean.h"
 #include "transformesh/components.h"
 #include "transformesh/control.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 
@@ -60,9 +60,8 @@ struct CleanPassOptions {
   std::function<void(Arrangement& arrangement, std::vector<char>& kept)> change_kept{};
   /// The clean pass ends early if more pairs of faces than this intersect.
   std::size_t most_pairs = std::numeric_limits<std::size_t>::max();
-  /// Faces that are not tested with each other, because an earlier search has done that. May be
-  /// null.
-  const DisjointFaces* disjoint = nullptr;
+  /// All intersecting pairs of faces of the mesh. If null, the clean pass finds them.
+  const std::vector<FacePair>* pairs = nullptr;
   /// Taken instead of arranging the mesh, unless it is empty; filled otherwise. Clean passes that
   /// share it must differ only in `change_kept`, which must be set. May be null.
   ArrangedMesh* arranged = nullptr;

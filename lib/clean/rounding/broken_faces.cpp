@@ -118,26 +118,22 @@ void keep_faces(Assembly& assembly, const std::vector<Index>& rows) {
 }  // namespace
 
 // Searches only new faces and the faces whose boxes overlap with theirs. Other faces cannot
-// intersect a new face. Hence a face of `known` that was not searched intersects neither the new
-// faces nor other faces of `known`.
+// intersect a new face.
 BrokenFaces find_broken_faces(const Assembly& assembly, const DisjointFaces& known) {
-  const std::vector<char> is_searched = find_faces_at_new_ones(assembly);
-  const std::vector<Index> rows = marked(is_searched);
+  const std::vector<Index> rows = marked(find_faces_at_new_ones(assembly));
   const Mesh part = mesh_of_faces(assembly.mesh, rows);
   std::vector<char> is_broken(assembly.mesh.faces.size(), 0);
-  std::vector<char> is_disjoint = known.empty() ? is_searched : assembly.face_is_new;
-  const std::vector<char> is_known = known.find(assembly.mesh.positions, assembly.mesh.faces);
-  for (std::size_t f = 0; f < is_known.size(); ++f) is_disjoint[f] |= is_known[f];
   BrokenFaces result;
   for (const Index f : degenerate_faces(part)) is_broken[rows[f]] = 1;
+  std::vector<char> is_disjoint(rows.size(), 1);
   for (const auto& [f, g] : find_intersections(part, known, Progress())) {
-    is_disjoint[rows[f]] = is_disjoint[rows[g]] = 0;
+    is_disjoint[f] = is_disjoint[g] = 0;
     if (!assembly.face_is_new[rows[f]] && !assembly.face_is_new[rows[g]]) continue;
-    ++result.pairs;
+    result.pairs.emplace_back(rows[f], rows[g]);
     is_broken[rows[f]] = is_broken[rows[g]] = 1;
   }
   result.faces = marked(is_broken);
-  result.disjoint = marked(is_disjoint);
+  for (const Index f : marked(is_disjoint)) result.disjoint.push_back(rows[f]);
   return result;
 }
 

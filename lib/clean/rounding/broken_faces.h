@@ -7,6 +7,7 @@
 
 #include "clean/intersect/disjoint_faces.h"
 #include "clean/stitch/assemble.h"
+#include "transformesh/intersect.h"
 
 namespace transformesh {
 
@@ -14,14 +15,14 @@ namespace transformesh {
 struct BrokenFaces {
   /// Broken faces, ascending; only intersections with at least one new face count.
   std::vector<Index> faces;
-  std::size_t pairs = 0;  ///< number of intersecting pairs with at least one new face
-  /// Faces of which no two intersect: those that were searched or are in `known`, without faces
-  /// that intersect another face.
+  std::vector<FacePair> pairs;  ///< intersecting pairs with at least one new face
+  /// Faces that were searched, without those that intersect another face. No two of them intersect.
   std::vector<Index> disjoint;
 };
 
 /// Finds the broken faces. Faces that are whole faces of the input must not intersect each other.
-/// Two faces of `known` are not tested with each other. Cost: O(n log n).
+/// Two faces of `known` are not tested with each other. Cost: O(n), and O(m log m) for the m faces
+/// that are searched: those whose boxes overlap that of a new face.
 BrokenFaces find_broken_faces(const Assembly& assembly, const DisjointFaces& known = {});
 
 /// Returns `faces` and all faces that share a corner with them, in ascending order.

@@ -95,7 +95,7 @@ class SnapRounder {
   void repair();
   void take_rounds(bool is_begun);
   bool repair_round(bool is_first);
-  BrokenFaces find_broken();
+  void find_broken();
   bool is_in_vain(std::size_t broken);
   void note_broken(const std::vector<Index>& broken);
   void begin_anew();
@@ -115,6 +115,7 @@ class SnapRounder {
   Progress repair_progress_;
   Assembly assembly_;
   VertexGrids grids_;
+  BrokenFaces broken_;           ///< result of the latest search
   DisjointFaces disjoint_;       ///< faces of which the latest search found no intersections
   std::vector<char> is_broken_;  ///< 1 for each input face of which rounding broke a part
   /// Number of broken faces in the previous round; 0 in the first round.
@@ -149,12 +150,11 @@ void SnapRounder::drop_collapsed() {
   }
 }
 
-// Finds the broken faces, and keeps the others for the next search unless there will be none.
-BrokenFaces SnapRounder::find_broken() {
-  BrokenFaces broken = find_broken_faces(assembly_, disjoint_);
-  const bool is_done = broken.faces.empty() && result_.repairs == 0 && !options_.is_open;
-  if (!is_done) disjoint_ = DisjointFaces(assembly_.mesh, broken.disjoint);
-  return broken;
+// Finds the broken faces. Keeps the others for the next search, unless there will be none.
+void SnapRounder::find_broken() {
+  broken_ = find_broken_faces(assembly_, disjoint_);
+  const bool is_done = broken_.faces.empty() && result_.repairs == 0 && !options_.is_open;
+  if (!is_done) disjoint_ = DisjointFaces(assembly_.mesh, broken_.disjoint);
 }
 
 // Tries in turn to move vertices to their grids, to remove vertices in flat surroundings, and to
@@ -162,15 +162,14 @@ BrokenFaces SnapRounder::find_broken() {
 // grids. These are coarse then, and the movement can turn faces so far that they pass neighboring
 // sheets.
 void SnapRounder::mend() {
-  BrokenFaces broken;
   const auto is_mended = [&](bool is_changed) {
     if (is_changed) {
       drop_collapsed();
-      broken = find_broken();
+      find_broken();
     }
-    return broken.faces.empty();
+    return broken_.faces.empty();
   };
-  const auto around = [&] { return with_faces_around(assembly_.mesh, broken.faces); };
+  const auto around = [&] { return with_faces_around(assembly_.mesh, broken_.faces); };
   const bool moves_input = result_.repairs > 1;
   Displacement& moved = result_.displacement;
   if (is_mended(true)) return;
@@ -189,7 +188,7 @@ bool SnapRounder::clean_again(bool gives_cells, ArrangedMesh* input) {
   if (input) options.winding_level = options_.winding_level, options.chooser = options_.chooser;
   options.arranged = input;
   options.coordinate = options_.coordinate;
-  options.disjoint = &disjoint_;
+  if (!input) options.pairs = &broken_.pairs;
   const std::vector<std::uint8_t> levels = grids_.levels_of_faces(assembly_.mesh);
   bool is_given = false;
   if (gives_cells && !options_.is_open)
@@ -254,20 +253,20 @@ void SnapRounder::note_broken(const std::vector<Index>& broken) {
 bool SnapRounder::repair_round(bool is_first) {
   progress_("round");
   result_.displacement += round_new_vertices(assembly_, options_.coordinate);
-  const BrokenFaces found = find_broken();
-  const std::vector<Index>& broken = found.faces;
-  const bool is_whole = broken.empty();
+  find_broken();
+  const std::size_t broken = broken_.faces.size();
+  const bool is_whole = broken == 0;
   if (is_whole && is_first && !options_.is_open) return true;
-  result_.faces += broken.size();
-  result_.pairs += found.pairs;
-  note_broken(broken);
-  const bool is_vain = is_in_vain(broken.size());
+  result_.faces += broken;
+  result_.pairs += broken_.pairs.size();
+  note_broken(broken_.faces);
+  const bool is_vain = is_in_vain(broken);
   if (is_vain && !is_restarted_ && !options_.is_open) {
     begin_anew();
     return false;
   }
   for (int i = 0; i < (is_vain ? doublings_in_vain : 1); ++i)
-    grids_.coarsen(assembly_.mesh, broken);
+    grids_.coarsen(assembly_.mesh, broken_.faces);
   if (!is_whole) mend();
   return clean_again(!is_whole);
 }
