@@ -5,9 +5,10 @@
 ///
 /// If the first scale fails or loses thin parts, and was not set by the caller, the loop restarts
 /// at the next finer scale. If the surface explodes (falls apart or leaves the silhouettes), the
-/// loop restarts with four times the stiffness, at most twice. The vertex column `doubt` is the
-/// disagreement of photographs beyond their noise, in [0, 1]. It is 1 at vertices that fewer than
-/// two views observe. Deterministic for any number of threads.
+/// loop restarts with four times the stiffness, at most twice. Then the initial mesh is returned:
+/// see ReconstructionResult::kept. The vertex column `doubt` is the disagreement of photographs
+/// beyond their noise, in [0, 1]. It is 1 at vertices that fewer than two views observe.
+/// Deterministic for any number of threads.
 ///
 /// A given initial mesh is returned if the result does not agree clearly better with photographs
 /// and exact masks: see ReconstructionResult::kept.
@@ -33,7 +34,7 @@ struct DoubtfulPlace {
 struct ReconstructionResult {
   std::size_t sweeps = 0;  ///< number of sweeps (iterations), including earlier runs
   std::string fault;       ///< reason why the result is not converged; empty if it is converged
-  std::string kept;        ///< reason why the given initial mesh is the result, else empty
+  std::string kept;        ///< reason why the initial mesh is the result, else empty
   double restored = 0;     ///< fraction of vertices moved back onto a given initial mesh; [0, 1]
   Topology topology;
   std::size_t crumbs = 0;   ///< small components that were dropped at the end
@@ -50,8 +51,8 @@ struct ReconstructionResult {
 };
 
 /// Reconstructs into `document`, which contains the initial mesh if one is given. Views without
-/// silhouettes get some by threshold. Throws as the stages do, with the number of the sweep, and
-/// GoalError if the surface explodes. The document is then that of the last successful sweep.
+/// silhouettes get some by threshold. Throws as the stages do, with the number of the sweep. The
+/// document is then that of the last successful sweep.
 ReconstructionResult reconstruct(Document& document, Views& views,
                                  const ReconstructionOptions& options = {},
                                  const RecordOptions& record = {},

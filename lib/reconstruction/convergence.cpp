@@ -61,6 +61,10 @@ std::string ReconstructionFaults::in_words(const SurfaceEvidence& evidence) cons
   if (lost_at > 0)
     return "photographs can be compared on less of the surface after scale " + fixed(lost_at, 4) +
            " than before";
+  if (exploded_at > 0)
+    return "the surface explodes at scale " + fixed(exploded_at, 4) +
+           ": the photographs may be too small, or cameras, photographs and masks may not belong "
+           "together";
   if (!is_at_rest) return "the surface still moved in the last sweep";
   if (late_at > 0)
     return "components or handles still appeared or vanished at scale " + fixed(late_at, 4) +

@@ -13,6 +13,8 @@ TEST_CASE("lost surface is reported before movement, and movement before late ch
         "the surface still moved in the last sweep");
   CHECK(ReconstructionFaults{0, 1, true}.in_words(good).find("vanished at scale 1.0000") !=
         std::string::npos);
+  CHECK(ReconstructionFaults{1, 1, false, 2}.in_words(good).find(
+            "the surface explodes at scale 2.0000: ") == 0);
 }
 
 TEST_CASE("a surface at rest is not converged if masks or photographs disagree with it") {
