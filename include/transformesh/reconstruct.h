@@ -5,13 +5,12 @@
 ///
 /// If the first scale fails or loses thin parts, and was not set by the caller, the loop restarts
 /// at the next finer scale. If the surface explodes (falls apart or leaves the silhouettes), the
-/// loop restarts with four times the stiffness, at most twice. Then the initial mesh is returned:
-/// see ReconstructionResult::kept. The vertex column `doubt` is the disagreement of photographs
-/// beyond their noise, in [0, 1]. It is 1 at vertices that fewer than two views observe.
-/// Deterministic for any number of threads.
+/// loop restarts with four times the stiffness, at most twice. The vertex column `doubt` is the
+/// disagreement of photographs beyond their noise, in [0, 1]. It is 1 at vertices that fewer than
+/// two views observe. Deterministic for any number of threads.
 ///
-/// A given initial mesh is returned if the result does not agree clearly better with photographs
-/// and exact masks: see ReconstructionResult::kept.
+/// The initial mesh is returned if the surface still explodes, or if it was given and the result
+/// does not agree clearly better with photographs and exact masks: see ReconstructionResult::kept.
 #pragma once
 
 #include <string>
