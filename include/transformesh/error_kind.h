@@ -43,7 +43,6 @@ enum class ErrorKind {
   source_apart,              ///< the source does not overlap all of the target
   edges_too_long,            ///< edges are too long for the target
   uniform_edges_too_long,    ///< edges of uniform length are too long at narrow places
-  surface_explodes,          ///< the surface of a reconstruction falls apart
   outside_hull,              ///< the mesh is outside of the visual hull
   scene_behind_cameras,      ///< the coordinate system of the cameras is left-handed
   views_disagree,            ///< many silhouettes do not fit the visual hull

@@ -9,8 +9,8 @@
 /// disagreement of photographs beyond their noise, in [0, 1]. It is 1 at vertices that fewer than
 /// two views observe. Deterministic for any number of threads.
 ///
-/// A given initial mesh is returned if the result does not agree clearly better with photographs
-/// and exact masks: see ReconstructionResult::kept.
+/// The initial mesh is returned if the surface still explodes, or if it was given and the result
+/// does not agree clearly better with photographs and exact masks: see ReconstructionResult::kept.
 #pragma once
 
 #include <string>
@@ -33,7 +33,7 @@ struct DoubtfulPlace {
 struct ReconstructionResult {
   std::size_t sweeps = 0;  ///< number of sweeps (iterations), including earlier runs
   std::string fault;       ///< reason why the result is not converged; empty if it is converged
-  std::string kept;        ///< reason why the given initial mesh is the result, else empty
+  std::string kept;        ///< reason why the initial mesh is the result, else empty
   double restored = 0;     ///< fraction of vertices moved back onto a given initial mesh; [0, 1]
   Topology topology;
   std::size_t crumbs = 0;   ///< small components that were dropped at the end
@@ -50,8 +50,8 @@ struct ReconstructionResult {
 };
 
 /// Reconstructs into `document`, which contains the initial mesh if one is given. Views without
-/// silhouettes get some by threshold. Throws as the stages do, with the number of the sweep, and
-/// GoalError if the surface explodes. The document is then that of the last successful sweep.
+/// silhouettes get some by threshold. Throws as the stages do, with the number of the sweep. The
+/// document is then that of the last successful sweep.
 ReconstructionResult reconstruct(Document& document, Views& views,
                                  const ReconstructionOptions& options = {},
                                  const RecordOptions& record = {},

@@ -52,12 +52,19 @@ std::string in_words_of(const SurfaceDoubt& doubt) {
   if (doubt.small_window_share > most_doubtful_in_small)
     return "small windows of photographs disagree on " + fixed(100 * doubt.small_window_share, 1) +
            " % of the surface, most around " + in_words(doubt.small_window_places.front());
+  if (!doubt.filled_hollows.empty())
+    return "photographs agree better if the surface is deeper around " +
+           in_words(doubt.filled_hollows.front()) + ", perhaps because it fills a hole";
   return {};
 }
 
 }  // namespace
 
 std::string ReconstructionFaults::in_words(const SurfaceEvidence& evidence) const {
+  if (exploded_at > 0)
+    return "the surface explodes at scale " + fixed(exploded_at, 4) +
+           ": the photographs may be too small, or cameras, photographs and masks may not belong "
+           "together";
   if (lost_at > 0)
     return "photographs can be compared on less of the surface after scale " + fixed(lost_at, 4) +
            " than before";

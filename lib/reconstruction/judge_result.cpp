@@ -22,11 +22,19 @@ constexpr double reach_px = 10;
 void ResultJudge::judge(Document& document, ReconstructionFaults faults,
                         ReconstructionResult& result, const Progress& progress) const {
   const bool is_given = options_.initial.is_given;
-  const SurfaceMeasures start = photographs_.measures(given_.mesh, is_given, progress);
-  SurfaceMeasures end = photographs_.measures(document.mesh, true, progress);
-  if (is_given) end = best_of(start, std::move(end), document, result, progress);
-  // Faults of the sweeps are not faults of the given mesh.
-  if (!result.kept.empty()) faults = {.is_at_rest = true};
+  const bool is_exploded = faults.exploded_at > 0;
+  const SurfaceMeasures start =
+      photographs_.measures(given_.mesh, is_given || is_exploded, progress);
+  SurfaceMeasures end = start;
+  if (is_exploded) {
+    result.kept = faults.in_words({});
+    keep_start(document, result);
+  } else {
+    end = photographs_.measures(document.mesh, true, progress);
+    if (is_given) end = best_of(start, std::move(end), document, result, progress);
+    // Faults of the sweeps are not faults of the given mesh.
+    if (!result.kept.empty()) faults = {.is_at_rest = true};
+  }
   result.first = start.windows;
   result.last = end.windows;
   result.first_agreement = start.mean_outline();

@@ -16,8 +16,8 @@ class ResultJudge {
 
   /// Sets the measures and the fault of `result`, and the doubt of each vertex. If the initial mesh
   /// was given, parts of it that are at least as good replace those of the document, or all of it
-  /// does. Before the call, `result.topology` must be that of the document. `faults` are those of
-  /// the sweeps.
+  /// does. The initial mesh also replaces a document that fell apart. Before the call,
+  /// `result.topology` must be that of the document. `faults` are those of the sweeps.
   void judge(Document& document, ReconstructionFaults faults, ReconstructionResult& result,
              const Progress& progress) const;
 

@@ -122,7 +122,7 @@ class ReconstructionLoop : public Loop {
  private:
   bool is_last_scale() const { return scale_step_ + 1 == scale_steps_.size(); }
   bool may_begin_finer() const;
-  bool begins_stiffer(Document& document, const Progress& progress);
+  bool restarts_or_ends(Document& document, const Progress& progress);
   bool drops_handles(Document& document, const Progress& progress);
   void drop_crumbs(Document& document);
   void begin_finer(Document& document, const Progress& progress);
@@ -187,18 +187,22 @@ void ReconstructionLoop::begin_finer(Document& document, const Progress& progres
 }
 
 // Returns true if the surface fell apart in the last sweep (is_exploded()). Then restarts from the
-// initial mesh with a larger stiffness.
-bool ReconstructionLoop::begins_stiffer(Document& document, const Progress& progress) {
+// initial mesh with a larger stiffness, or ends the loop with the initial mesh.
+bool ReconstructionLoop::restarts_or_ends(Document& document, const Progress& progress) {
   if (!is_exploded(sweep_, connected_components(initial_.mesh).components.size())) return false;
-  const std::string what = "the surface explodes at scale " + fixed(sweep_.scale_step.scale, 4);
-  if (sweep_.scale_step.scale < stiffer_scale || stiffness_ >= most_stiffness)
-    throw GoalError(ErrorKind::surface_explodes,
-                    what + ": photographs, cameras and masks may not belong together");
+  faults_ = {};
+  const double scale = sweep_.scale_step.scale;
+  if (scale < stiffer_scale || stiffness_ >= most_stiffness) {
+    faults_.exploded_at = scale;
+    document = initial_;
+    scale_step_ = scale_steps_.size();
+    return true;
+  }
   stiffness_ *= stiffer;
   if (options_.on_note)
-    options_.on_note(what + ": restarting with " + fixed(stiffness_, 0) + " times the stiffness");
+    options_.on_note("the surface explodes at scale " + fixed(scale, 4) + ": restarting with " +
+                     fixed(stiffness_, 0) + " times the stiffness");
   scale_step_ = first_;
-  faults_ = {};
   rule_.begin();
   start(document, progress);
   return true;
@@ -267,7 +271,7 @@ bool ReconstructionLoop::takes_sweep(Document& document, const Progress& progres
 void ReconstructionLoop::advance(Document& document, std::size_t /*iteration*/,
                                  const Progress& progress) {
   while (!takes_sweep(document, progress)) begin_finer(document, progress);
-  if (begins_stiffer(document, progress)) return;
+  if (restarts_or_ends(document, progress)) return;
   const SweepVerdict verdict = rule_.add(sweep_, is_last_scale() && is_carved_);
   faults_.is_at_rest = verdict.is_at_rest;
   if (verdict.is_late && scale_step_ > first_) faults_.late_at = sweep_.scale_step.scale;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mesh/local_measures.h"
+#include "reconstruction/filled_hollows.h"
 #include "reconstruction/hidden_vertices.h"
 #include "reconstruction/place_loops.h"
 #include "step/local_thickness.h"
@@ -98,18 +99,24 @@ double share_of(const std::vector<DoubtfulPlace>& places, double pixel, double w
   return share;
 }
 
-/// Returns places where windows of 3x3 pixels disagree.
-std::vector<DoubtfulPlace> places_of_small_windows(const Mesh& mesh,
-                                                   const UniformLaplacian& laplacian,
-                                                   const PhotoScene& scene, double least_cosine,
-                                                   PhotoconsistencyOptions options,
-                                                   const Progress& progress) {
+/// Sets the places that only windows of 3x3 pixels show.
+void find_small_window_places(const Mesh& mesh, const UniformLaplacian& laplacian,
+                              const PhotoScene& scene, double least_cosine,
+                              PhotoconsistencyOptions options, SurfaceDoubt& doubt,
+                              const Progress& progress) {
   options.correlation.radius = 1;
-  const Disagreement found = disagreement(mesh, scene, least_cosine, options, progress);
+  const auto measure = [&](const Mesh& surface) {
+    return disagreement(surface, scene, least_cosine, options, progress).of_vertex;
+  };
+  const std::vector<WindowSums> sums = measure(mesh);
   std::vector<bool> is_doubtful;
-  for (const WindowSums& around : spread(found.of_vertex, laplacian, doubt_rings))
+  for (const WindowSums& around : spread(sums, laplacian, doubt_rings))
     is_doubtful.push_back(around.excess() > contradicted);
-  return places_of(is_doubtful, mesh, laplacian, scene.pixel);
+  doubt.small_window_places = places_of(is_doubtful, mesh, laplacian, scene.pixel);
+  const std::vector<double> areas = vertex_areas(mesh);
+  for (const auto& hollow : filled_hollows(mesh, sums, scene.pixel, measure))
+    doubt.filled_hollows.push_back(measured_place(mesh, hollow, areas, scene.pixel));
+  sort_by_area(doubt.filled_hollows);
 }
 
 }  // namespace
@@ -181,8 +188,7 @@ SurfaceDoubt surface_doubt(const Mesh& mesh, const PhotoScene& scene, double lea
   const std::vector<double> areas = vertex_areas(mesh);
   for (std::size_t v = 0; v < areas.size(); ++v) observed += is_observed[v] ? areas[v] : 0;
   doubt.share = share_of(doubt.places, scene.pixel, observed);
-  doubt.small_window_places =
-      places_of_small_windows(mesh, laplacian, scene, least_cosine, options, progress);
+  find_small_window_places(mesh, laplacian, scene, least_cosine, options, doubt, progress);
   doubt.small_window_share = share_of(doubt.small_window_places, scene.pixel, observed);
   doubt.hidden_places = places_of(hidden_vertices(mesh, is_observed, scene, least_cosine), mesh,
                                   laplacian, scene.pixel);

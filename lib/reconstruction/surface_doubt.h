@@ -10,7 +10,8 @@
 ///
 /// Places are also found by windows of 3x3 pixels. A film across a hole that photographs show at
 /// grazing angles is narrow in the photographs. Larger windows there contain mostly the surface
-/// around the hole, on which photographs agree.
+/// around the hole, on which photographs agree. Narrower films are found by a trial
+/// (filled_hollows.h).
 #pragma once
 
 #include <cstddef>
@@ -35,6 +36,8 @@ struct SurfaceDoubt {
   double small_window_share = 0;  ///< area of these places, as a fraction of the visible area
   /// Thin places that fewer than two views observe (unobserved_fins()).
   std::vector<DoubtfulPlace> unobserved_fins;
+  /// Places that fill hollows of the object (filled_hollows()), the largest first.
+  std::vector<DoubtfulPlace> filled_hollows;
   /// Hidden places of at least 25 squared pixels, the largest first (hidden_vertices.h).
   std::vector<DoubtfulPlace> hidden_places;
   double hidden_share = 0;  ///< area of the hidden places, as a fraction of the area of the mesh
@@ -70,9 +73,9 @@ std::vector<std::vector<Index>> unobserved_fins(const Mesh& mesh,
                                                 const Progress& progress = {});
 
 /// Measures a surface by photographs of full size: `scene` must have scale 1. Throws as
-/// disagreement() and local_thickness() do. Takes twice as long as disagreement(), and also
-/// local_thickness() if there are doubtful places. The result does not depend on the number of
-/// threads.
+/// disagreement() and local_thickness() do. Takes twice as long as disagreement(), three times
+/// if a filled hollow is possible, and also local_thickness() if there are doubtful places. The
+/// result does not depend on the number of threads.
 SurfaceDoubt surface_doubt(const Mesh& mesh, const PhotoScene& scene, double least_cosine,
                            const PhotoconsistencyOptions& options = {},
                            const Progress& progress = {});

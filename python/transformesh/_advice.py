@@ -52,7 +52,6 @@ advice = {
     "uniform_edges_too_long": (
         "shorten edges at narrow places with gap_edges=1.5, or begin with shorter edges"
     ),
-    "surface_explodes": "check the cameras, or raise coarsest",
     "outside_hull": "check that cameras and mesh have the same units and origin, or see clip",
     "scene_behind_cameras": "mirror the scene with mirror=True",
     "views_disagree": "check cameras and masks, or accept less agreement with least_agreement",

@@ -98,9 +98,6 @@ constexpr std::array table{
     Advice{Kind::edges_too_long, "reference-edge", "shorten edges with --reference-edge {edge}"},
     Advice{Kind::uniform_edges_too_long, "gap-edges",
            "shorten edges at narrow places with --gap-edges 1.5"},
-    // Only tm-reconstruct has the option --crumbs, so the option selects this program.
-    Advice{Kind::surface_explodes, "crumbs",
-           "increase --stiffness or --coarsest, or check the cameras with tm-cameras"},
     Advice{Kind::outside_hull, "clip",
            "check that cameras and mesh have the same units and origin, or keep all of the mesh "
            "with --clip nothing"},

@@ -13,6 +13,8 @@ TEST_CASE("lost surface is reported before movement, and movement before late ch
         "the surface still moved in the last sweep");
   CHECK(ReconstructionFaults{0, 1, true}.in_words(good).find("vanished at scale 1.0000") !=
         std::string::npos);
+  CHECK(ReconstructionFaults{1, 1, false, 2}.in_words(good).find(
+            "the surface explodes at scale 2.0000: ") == 0);
 }
 
 TEST_CASE("a surface at rest is not converged if masks or photographs disagree with it") {
@@ -28,6 +30,10 @@ TEST_CASE("a surface at rest is not converged if masks or photographs disagree w
   evidence.doubt.small_window_places = {{{5, 6, 7}, 300}};
   evidence.doubt.small_window_share = 0.014;
   CHECK(at_rest.in_words(evidence).empty());
+  evidence.doubt.filled_hollows = {{{4, 5, 6}, 60}};
+  CHECK(at_rest.in_words(evidence) ==
+        "photographs agree better if the surface is deeper around 4,5,6 (60 square pixels), "
+        "perhaps because it fills a hole");
   evidence.doubt.small_window_share = 0.016;
   CHECK(at_rest.in_words(evidence) ==
         "small windows of photographs disagree on 1.6 % of the surface, most around 5,6,7 (300 "
