@@ -24,7 +24,7 @@ constexpr double island_flatness = 0.25;
 
 /// Least mean cosine of the angles between the normals of the faces at an island's rim and that of
 /// the opening. It is 0.6 at the rim of that cap and 0 at walls.
-constexpr double least_facing = 0.5;
+constexpr double least_island_facing = 0.5;
 
 /// The plane of a loop.
 struct LoopPlane {
@@ -140,7 +140,7 @@ bool Nesting::is_island(Index inner, Index outer) {
     const auto& [a, b, c] = triangle_of(mesh_, h / 3);
     facing += normal_of(a, b, c).stableNormalized().dot(planes_[outer].normal);
   }
-  if (!(facing > least_facing * static_cast<double>(loops_[inner].size()))) return false;
+  if (!(facing > least_island_facing * static_cast<double>(loops_[inner].size()))) return false;
   const Index part = parts_.find(loops_[inner].front() / 3);
   return std::ranges::none_of(loops_[outer], [&](Index h) { return parts_.find(h / 3) == part; });
 }

@@ -41,7 +41,6 @@ std::size_t most_too_long(std::size_t faces) { return std::max<std::size_t>(10, 
 Decimator::Decimator(const Mesh& mesh, const DecimateOptions& options, std::optional<double> error,
                      const Progress& progress)
     : mesh_(mesh),
-      options_(options),
       wanted_(std::max(options.faces, least_faces)),
       progress_(progress),
       area_(surface_area(mesh)),

@@ -26,7 +26,8 @@ inline constexpr std::size_t least_faces = 4;
 /// The quadric of a vertex uses positions relative to the vertex, so that squares stay small.
 class Decimator {
  public:
-  /// Keeps references to `options` and `progress`. `error`: largest allowed distance from `mesh`.
+  /// Keeps references to `progress` and the surface of `options.keep_out`. `error`: largest allowed
+  /// distance from `mesh`.
   Decimator(const Mesh& mesh, const DecimateOptions& options, std::optional<double> error,
             const Progress& progress);
 
@@ -69,7 +70,6 @@ class Decimator {
   void merge(Index goes, Index stays, const Quadric& quadric, std::span<const Index> apexes);
 
   EditableMesh mesh_;
-  const DecimateOptions& options_;
   std::size_t wanted_;
   std::optional<KeepOut> keep_out_;
   const Progress& progress_;
