@@ -184,8 +184,9 @@ Mesh cleaned(const Mesh& mesh, Scalar coordinate, const Progress& progress) {
 void refuse_bad(const Mesh& mesh, double distance, bool may_be_negative) {
   if (!std::isfinite(distance) || distance == 0 || (distance < 0 && !may_be_negative))
     throw UsageError("the distance must be a length other than 0, and a thickness above 0");
+  if (mesh.faces.empty()) throw InputError("the mesh has no faces, so it has no offset");
   const ManifoldReport found = check_manifold(mesh);
-  if (mesh.faces.empty() || !found.is_manifold() || !found.is_oriented())
+  if (!found.is_manifold() || !found.is_oriented())
     throw InputError(ErrorKind::not_manifold, "the mesh is not an oriented manifold");
 }
 

@@ -275,11 +275,14 @@ FillResult fill_holes(Mesh& mesh, const FillOptions& options, const Progress& pr
   if (found.is_closed()) return {};
   std::vector<Face> before = mesh.faces;
   std::vector<HoleLoop> loops = join_touching_holes(mesh, found.border_halfedges);
-  const bool any_touch = mesh.faces != before || !found.nonmanifold_vertices.empty();
   const auto may_fill = [&](const HoleLoop& loop) { return !is_too_large(mesh, loop, options); };
   const std::size_t cut_edges = cut_contact_edges(mesh, before, loops, may_fill);
+  const std::size_t loop_count = loops.size();
+  const std::vector<std::vector<HoleLoop>> holes = group_openings(mesh, std::move(loops));
+  if (holes.size() < loop_count) join_touching_loops(mesh, holes);
+  const bool any_touch = mesh.faces != before || !found.nonmanifold_vertices.empty();
   Filler filler(mesh, options);
-  for (const std::vector<HoleLoop>& hole : group_openings(mesh, std::move(loops))) {
+  for (const std::vector<HoleLoop>& hole : holes) {
     progress("filling holes");
     filler.fill(hole);
   }

@@ -253,6 +253,31 @@ std::vector<HoleLoop> join_touching_holes(Mesh& mesh, const std::vector<Index>& 
   return loops;
 }
 
+void join_touching_loops(Mesh& mesh, const std::vector<std::vector<HoleLoop>>& holes) {
+  std::vector<Index> first(mesh.positions.size(), no_index);
+  DisjointSets vertices(mesh.positions.size());
+  for (const std::vector<HoleLoop>& hole : holes) {
+    if (hole.size() == 1) continue;
+    std::vector<Index> sources;
+    for (const HoleLoop& loop : hole)
+      for (const Index h : loop) sources.push_back(halfedge_source(mesh, h));
+    std::ranges::sort(sources, [&](Index a, Index b) {
+      return compare_positions(mesh.positions[a], mesh.positions[b]) < 0;
+    });
+    for (std::size_t i = 1; i < sources.size(); ++i)
+      if (mesh.positions[sources[i - 1]] == mesh.positions[sources[i]])
+        vertices.join(sources[i - 1], sources[i]);
+  }
+  Nodes nodes{find_umbrellas(mesh, Edges(mesh)), {}, {}};
+  for (Index u = 0; u < nodes.umbrellas.vertex_of.size(); ++u) {
+    Index& node = first[vertices.find(nodes.umbrellas.vertex_of[u])];
+    if (node == no_index) node = u;
+    nodes.of_umbrella.push_back(node);
+  }
+  separate_coincident_edges(mesh, nodes);
+  mesh.faces = joined_faces(mesh, nodes);
+}
+
 void separate_open_holes(Mesh& mesh, const std::vector<Face>& before) {
   Umbrellas umbrellas = find_umbrellas(mesh, Edges(mesh));
   for (Index u = 0; u < umbrellas.vertex_of.size(); ++u)

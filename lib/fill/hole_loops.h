@@ -20,9 +20,13 @@ using HoleLoop = std::vector<Index>;
 /// manifold and oriented.
 std::vector<HoleLoop> join_touching_holes(Mesh& mesh, const std::vector<Index>& border);
 
-/// Reverts join_touching_holes() at vertices whose holes are still open: gives each umbrella its
-/// own vertex, if possible the one in `before`, which has the faces before they were joined. Drops
-/// vertices without faces.
+/// Joins vertices at which loops of one hole touch. An island may touch the rim of its hole, and
+/// one patch fills the space between them. Vertices stay apart if edges would coincide.
+void join_touching_loops(Mesh& mesh, const std::vector<std::vector<HoleLoop>>& holes);
+
+/// Reverts joins at vertices whose holes are still open: gives each umbrella its own vertex, if
+/// possible the one in `before`, which has the faces before they were joined. Drops vertices
+/// without faces.
 void separate_open_holes(Mesh& mesh, const std::vector<Face>& before);
 
 }  // namespace transformesh

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "geometry/search/bvh.h"
 #include "io/polygons/planar_outline.h"
@@ -208,10 +210,20 @@ std::vector<Face> triangulate_opening(const Mesh& mesh, const std::vector<HoleLo
   points.reserve(mesh.positions.size());
   for (const Vec3& p : mesh.positions) points.push_back(projected(p));
   std::vector<std::vector<Index>> outlines;
+  std::vector<std::pair<std::array<double, 2>, Index>> places;
   for (const HoleLoop& loop : loops) {
     std::vector<Index>& outline = outlines.emplace_back();
-    for (const Index h : loop) outline.insert(outline.begin(), halfedge_source(mesh, h));
+    for (const Index h : loop) {
+      const Index v = halfedge_source(mesh, h);
+      outline.insert(outline.begin(), v);
+      places.push_back({{points[v].x(), points[v].y()}, v});
+    }
   }
+  std::ranges::sort(places);
+  const auto coincide = [](const auto& a, const auto& b) {
+    return a.first == b.first && a.second != b.second;
+  };
+  if (std::ranges::adjacent_find(places, coincide) != places.end()) return {};
   const PlanarTriangles found = triangulate_outlines(points, outlines);
   if (!found.is_complete || found.folds > 0 || !found.flat.empty()) return {};
   return {found.triangles.begin(), found.triangles.end()};

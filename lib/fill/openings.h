@@ -15,7 +15,8 @@ namespace transformesh {
 std::vector<std::vector<HoleLoop>> group_openings(const Mesh& mesh, std::vector<HoleLoop> loops);
 
 /// Returns faces between the loops of an opening without new vertices: the constrained Delaunay
-/// triangulation in the plane of the outer loop. Empty if the loops intersect in the plane.
+/// triangulation in the plane of the outer loop. Empty if the loops intersect in the plane,
+/// or if different vertices coincide there.
 std::vector<Face> triangulate_opening(const Mesh& mesh, const std::vector<HoleLoop>& loops);
 
 }  // namespace transformesh

@@ -79,13 +79,16 @@ void refuse_empty(const Mesh& mesh, const std::string& name) {
   if (mesh.positions.empty()) throw InputError(name + " has no vertices");
 }
 
-/// Throws InputError if the area of a mesh, in the frame of the reference, is zero or infinite.
-void check_area(const Mesh& mesh, const std::string& name) {
+/// Throws InputError if the area of the mesh or of the reference is zero or infinite. Both are in
+/// the frame of the reference.
+void check_areas(const Mesh& mesh, const Mesh& reference) {
+  if (!reference.faces.empty() && !(surface_area(reference) > 0))
+    throw InputError("the reference has no area");
   if (mesh.faces.empty()) return;
   const double area = surface_area(mesh);
   if (!(area > 0))
-    throw InputError(name + " is too small compared with the reference, or has no area");
-  if (!std::isfinite(area)) throw InputError(name + " is too large compared with the reference");
+    throw InputError("the mesh is too small compared with the reference, or has no area");
+  if (!std::isfinite(area)) throw InputError("the mesh is too large compared with the reference");
 }
 
 void check(const RegistrationOptions& options) {
@@ -134,8 +137,7 @@ RegistrationResult align(Mesh& mesh, const Mesh& reference, const RegistrationOp
   Mesh target = in_frame(reference, frame);
   if (count_touching_borders(target) > 0) stitch(target);
   const Mesh unit = in_frame(mesh, frame);
-  check_area(unit, "the mesh");
-  check_area(target, "the reference");
+  check_areas(unit, target);
   const RegistrationSurface surface(target);
   const std::vector<OrientedPoint> samples = oriented_samples(unit, options.samples);
   Registration registration(surface, samples, best_start(unit, surface, progress));

@@ -5,13 +5,18 @@
 #include "clean/box/box_submesh.h"
 
 namespace transformesh {
+namespace {
+
+/// Largest distance of a face's cells from the face, in cells, with the rounding error of cells.
+constexpr double reach_of_cells = 1.02;
+
+}  // namespace
 
 FacesAround::FacesAround(const Mesh& mesh, std::vector<bool> faces, const CellGrid& grid,
                          Scalar coordinate)
     : mesh_(mesh),
       faces_(std::move(faces)),
       grid_(grid),
-      coordinate_(coordinate),
       margin_(margin_around(bounding_box(mesh), coordinate)) {
   std::vector<Cell> cells;
   for (Index f = 0; f < faces_.size(); ++f) {
@@ -29,8 +34,10 @@ void FacesAround::mark(const std::vector<Cell>& cells, Index round) {
 // faces of the set. `cells` are the grid cells of the face.
 template <class Visit>
 void FacesAround::visit_ring(const Visit& visit) const {
-  const std::vector<bool> near =
-      faces_near(mesh_, with_margin(box_around(mesh_, faces_), coordinate_));
+  Box box = box_around(mesh_, faces_);
+  box.min().array() -= margin_ + reach_of_cells * grid_.size();
+  box.max().array() += margin_ + reach_of_cells * grid_.size();
+  const std::vector<bool> near = faces_near(mesh_, box);
   const auto is_marked = [&](Cell cell) {
     return marks_.visit(cell, rings_ + 1, [](Index) { return true; });
   };

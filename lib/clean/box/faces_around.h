@@ -1,6 +1,6 @@
-/// Grows a set of faces ring by ring. A ring contains all faces that may meet a face of the set
-/// after rounding moved their vertices. It may also contain other faces that share a grid cell with
-/// a face of the set. Deterministic. Cost: O(n) per ring, and 64 bytes per cell of the faces.
+/// Grows a set of faces ring by ring. A ring contains all faces that share a grid cell with a face
+/// of the set, and so all faces that may meet it after rounding moved vertices. Deterministic.
+/// Cost: O(n) per ring, and 64 bytes per cell of the faces.
 #pragma once
 
 #include <utility>
@@ -32,7 +32,6 @@ class FacesAround {
   const Mesh& mesh_;
   std::vector<bool> faces_;
   CellGrid grid_;
-  Scalar coordinate_;
   double margin_;
   Index rings_ = 0;
   CellMarks marks_;

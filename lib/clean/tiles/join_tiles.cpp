@@ -106,6 +106,8 @@ void Joiner::read_seams() {
   if (const std::size_t left = seams_.join(); left > 0)
     throw InputError("the tiles leave " + counted(left, "edge") + " open: they were not all " +
                      "cleaned with the same options");
+  if (result_.faces == 0)
+    throw GoalError("no tile has a face after cleaning: the joined mesh would be empty");
   result_.tiles = split_.count;
   result_.vertices = seams_.vertex_count();
   result_.joined_vertices = vertices - result_.vertices;

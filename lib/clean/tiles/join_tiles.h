@@ -20,7 +20,8 @@ struct JoinResult {
 
 /// Reads the files cleaned_tile_path() of a folder, and writes binary PLY with `comment` added.
 /// Throws InputError before writing if a file is missing or belongs to another mesh, or if the
-/// joined mesh would have border edges. Throws OutputError if writing fails.
+/// joined mesh would have border edges, and GoalError if it would be empty. Throws OutputError if
+/// writing fails.
 JoinResult join_tiles(const std::string& folder, const std::string& comment, AtomicFile& file,
                       const Progress& progress);
 

@@ -98,7 +98,7 @@ class GlbWriter {
     const Column* const lists = corner_texture(mesh_.face_columns);
     if (lists == nullptr || mesh_.faces.empty()) return;
     mesh_ = split_at_seams(document.mesh, *lists);
-    kept_of_faces_.push_back("texcoord");
+    is_split_ = true;
   }
 
   WriteResult write() {
@@ -191,6 +191,9 @@ class GlbWriter {
     add_colors(color_group(columns), attributes);
     add_texture(texture_group(columns), attributes);
     for (const Column& column : columns.columns) add_scalar(column, attributes);
+    // split_at_seams() replaced the columns s and t of the document.
+    if (is_split_)
+      for (const char* name : {"s", "t"}) std::erase(kept_, name);
     return attributes;
   }
 
@@ -261,6 +264,7 @@ class GlbWriter {
       values.push_back(static_cast<float>(1 - group[1]->values[row]));
     }
     keep(group);
+    if (is_split_) kept_of_faces_.push_back("texcoord");
     attributes["TEXCOORD_0"] = add(values, 2, array_buffer);
   }
 
@@ -332,6 +336,7 @@ class GlbWriter {
   std::vector<std::string_view> kept_of_faces_;
   std::vector<std::string> notes_;
   bool is_rounded_ = false;
+  bool is_split_ = false;  ///< vertices are repeated for texture coordinates of corners
 };
 
 }  // namespace

@@ -108,6 +108,10 @@ TEST_CASE("a thick sheet is closed and keeps its columns") {
     CHECK(sheet.vertex_columns.find("x")->values[v] == sheet.positions[v].x());
   for (const double label : sheet.face_columns.find("label")->values) CHECK(label == 7);
   CHECK_THROWS_AS(thicken(sheet, 0.5), InputError);
+  Mesh points;
+  points.positions = {{0, 0, 0}};
+  CHECK_THROWS_WITH_AS(thicken(points, 0.5), "the mesh has no faces, so it has no offset",
+                       InputError);
 }
 
 TEST_CASE("a solid of a crumpled sheet has no self-intersection after it is written as float") {

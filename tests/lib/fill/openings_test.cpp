@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -16,6 +17,7 @@
 #include "transformesh/intersect.h"
 #include "transformesh/manifold.h"
 #include "transformesh/measure.h"
+#include "transformesh/stitch.h"
 
 using namespace transformesh;
 
@@ -110,13 +112,35 @@ TEST_CASE("an opening may touch faces within it at vertices") {
     add(at(k + 1, n, 0), at(k, n, 0), at(k, n, 1), at(k + 1, n, 1));
     add(at(0, k + 1, 0), at(0, k, 0), at(0, k, 1), at(0, k + 1, 1));
   }
-  for (const FillOptions& options : {FillOptions{.refine = false}, FillOptions{.fair = false}}) {
-    Mesh filled = rotated(mesh, 1);
-    CHECK(fill_holes(filled, options).filled() == 1);
-    CHECK(check_manifold(filled).is_manifold());
-    CHECK(check_manifold(filled).is_closed());
-    CHECK(find_intersections(filled).empty());
-    CHECK(volume(filled) == doctest::Approx(36));
+  for (const bool are_copies : {false, true})
+    for (const FillOptions& options : {FillOptions{.refine = false}, FillOptions{.fair = false}}) {
+      CAPTURE(are_copies);
+      Mesh filled = rotated(mesh, 1);
+      // Gives each body that touches another one its own copy of the vertex.
+      if (are_copies) stitch(filled);
+      CHECK(check_manifold(filled).nonmanifold_vertices.empty() == are_copies);
+      CHECK(fill_holes(filled, options).filled() == 1);
+      CHECK(check_manifold(filled).is_manifold());
+      CHECK(check_manifold(filled).is_closed());
+      CHECK(find_intersections(filled).empty());
+      CHECK(volume(filled) == doctest::Approx(36));
+    }
+}
+
+TEST_CASE("an island below a corner of the rim leaves no border unreported") {
+  // In the plane of the opening, a corner of the island coincides with a corner of the rim.
+  for (int corner = 0; corner < 4; ++corner) {
+    CAPTURE(corner);
+    Mesh mesh = walls({-2, -2, 0}, {2, 2, 4}, true);
+    const auto first = static_cast<Index>(mesh.positions.size());
+    for (const auto& [x, y] : {std::pair(-2, -2), std::pair(0, -1), std::pair(-1, 0)}) {
+      const std::array turned{Vec3(x, y, -0.5), Vec3(-y, x, -0.5), Vec3(-x, -y, -0.5),
+                              Vec3(y, -x, -0.5)};
+      mesh.positions.push_back(turned.at(static_cast<std::size_t>(corner)));
+    }
+    mesh.faces.push_back({first, first + 1, first + 2});
+    const FillResult result = fill_holes(mesh, {.fair = false});
+    CHECK(check_manifold(mesh).is_closed() == (result.filled() == result.holes));
   }
 }
 

@@ -163,6 +163,8 @@ TEST_CASE("meshes that cannot be aligned are refused, and stay unchanged") {
   CHECK_THROWS_AS(align(cube, empty), InputError);
   CHECK_THROWS_AS(align(flat, cube), InputError);
   CHECK_THROWS_AS(align(cube, flat), InputError);
+  flat.positions[0] = Vec3(2, 2, 3);
+  CHECK_THROWS_WITH_AS(align(cube, flat), "the reference has no area", InputError);
   CHECK_THROWS_AS(align(cube, inside), GoalError);
   CHECK_THROWS_AS(align(cube, inside, {99, 200}), UsageError);
   CHECK_THROWS_AS(align(cube, inside, {3000, 0}), UsageError);

@@ -35,6 +35,18 @@ TEST_CASE("faces around others are all that touch them, and few of the rest") {
   CHECK(std::count(around.begin(), around.end(), true) < 600);
 }
 
+TEST_CASE("a face in the cell of another one is around it, at any distance in the cell") {
+  Mesh mesh;
+  for (const double z : {0.9, 0.1, -2.5})
+    for (const Vec3& p : {Vec3(0.4, 0.4, z), Vec3(0.6, 0.4, z), Vec3(0.4, 0.6, z)})
+      mesh.positions.push_back(p);
+  mesh.faces = {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}};
+  for (const bool is_first : {false, true}) {
+    const FacesAround around(mesh, {is_first, !is_first, false}, CellGrid(1), Scalar::float64);
+    CHECK(around.next() == std::vector<bool>{true, true, false});
+  }
+}
+
 TEST_CASE("a needle beyond the faces adds only faces along it") {
   Mesh mesh = test::icosphere(4);
   const auto v = static_cast<Index>(mesh.positions.size());

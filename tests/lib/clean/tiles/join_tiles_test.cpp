@@ -109,6 +109,16 @@ TEST_CASE("the joined tiles have the triangles and the vertices of one process")
   }
 }
 
+TEST_CASE("an empty result is refused, as in one process") {
+  CleanOptions options;
+  options.winding_level = 2;
+  CHECK_THROWS_AS(clean(test::cube(), options), GoalError);
+  const test::TemporaryFolder folder;
+  split(test::cube(), 2, folder);
+  clean_all(2, 2, folder);
+  CHECK_THROWS_AS(join(folder), GoalError);
+}
+
 TEST_CASE("missing, foreign and unequal tiles are named, and nothing is written") {
   const test::TemporaryFolder folder;
   CHECK(message_of(folder).find("has no tiles") != std::string::npos);

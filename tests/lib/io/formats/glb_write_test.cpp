@@ -162,6 +162,24 @@ TEST_CASE(
         std::vector<std::string>{"EXT_mesh_manifold", "KHR_materials_unlit"});
 }
 
+TEST_CASE("glb: notes name texture coordinates that are not stored") {
+  Document document = glb_document();
+  set_columns({"s", "t"}, Scalar::float64, {0, 0.25, 0.5, 2}, document);
+  Column& lists = document.mesh.face_columns.get("texcoord", Scalar::float64, 0);
+  lists.list_count_type = Scalar::uint8;
+  lists.list_offsets = {0, 6, 6, 6, 6};
+  lists.values = {0, 0, 0.5, 0, 0.25, 0.5};
+  const auto dropped = [](const std::string& what) {
+    return "glb: " + what + " cannot be stored in GLB, dropped";
+  };
+  CHECK(write_mesh(document).notes ==
+        std::vector{dropped("vertex property 's'"), dropped("vertex property 't'")});
+  lists.values[2] = 1e300;
+  CHECK(write_mesh(document).notes == std::vector{dropped("vertex property 's'"),
+                                                  dropped("vertex property 't'"),
+                                                  dropped("face property 'texcoord'")});
+}
+
 TEST_CASE("glb: closed manifolds are said to be such, with the copies that are one vertex") {
   Document document = glb_document();
   const auto extension_of = [](const Glb& glb) {
