@@ -5,13 +5,6 @@
 #include "clean/box/box_submesh.h"
 
 namespace transformesh {
-namespace {
-
-/// Largest distance of a face's cells from the face, in cells, with the rounding error of cells.
-constexpr double reach_of_cells = 1.02;
-
-}  // namespace
-
 FacesAround::FacesAround(const Mesh& mesh, std::vector<bool> faces, const CellGrid& grid,
                          Scalar coordinate)
     : mesh_(mesh),
@@ -31,12 +24,15 @@ void FacesAround::mark(const std::vector<Cell>& cells, Index round) {
 }
 
 // Calls visit(face, cells) for each face of the next ring: faces that share a grid cell with the
-// faces of the set. `cells` are the grid cells of the face.
+// faces of the set. `cells` are the grid cells of the face. A cell that two faces share is within
+// the margin of both. The faces are thus at most two margins and a cell apart along each axis; a
+// hundredth of a cell exceeds rounding errors.
 template <class Visit>
 void FacesAround::visit_ring(const Visit& visit) const {
   Box box = box_around(mesh_, faces_);
-  box.min().array() -= margin_ + reach_of_cells * grid_.size();
-  box.max().array() += margin_ + reach_of_cells * grid_.size();
+  const double reach = 2 * margin_ + 1.01 * grid_.size();
+  box.min().array() -= reach;
+  box.max().array() += reach;
   const std::vector<bool> near = faces_near(mesh_, box);
   const auto is_marked = [&](Cell cell) {
     return marks_.visit(cell, rings_ + 1, [](Index) { return true; });

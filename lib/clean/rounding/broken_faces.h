@@ -15,7 +15,9 @@ namespace transformesh {
 struct BrokenFaces {
   /// Broken faces, ascending; only intersections with at least one new face count.
   std::vector<Index> faces;
-  std::vector<FacePair> pairs;  ///< intersecting pairs with at least one new face
+  /// Intersecting pairs with at least one new face. These are all pairs, because other faces do not
+  /// intersect each other.
+  std::vector<FacePair> pairs;
   /// Faces that were searched, without those that intersect another face. No two of them intersect.
   std::vector<Index> disjoint;
 };

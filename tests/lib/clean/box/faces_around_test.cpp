@@ -47,6 +47,19 @@ TEST_CASE("a face in the cell of another one is around it, at any distance in th
   }
 }
 
+TEST_CASE("a cell may be within the margins of two faces, which grow with the coordinates") {
+  // The margin of floats at 1000 is 0.0039. The faces are on both sides of the cell from 1000 to
+  // 1000.125, at a distance of 0.0035.
+  Mesh mesh;
+  for (const double z : {999.9965, 1000.1285})
+    for (const Vec3& p : {Vec3(0.04, 0.04, z), Vec3(0.06, 0.04, z), Vec3(0.04, 0.06, z)})
+      mesh.positions.push_back(p);
+  mesh.faces = {{0, 1, 2}, {3, 4, 5}};
+  const CellGrid grid(0.125);
+  CHECK(FacesAround(mesh, {true, false}, grid, Scalar::float32).next() == std::vector{true, true});
+  CHECK(FacesAround(mesh, {true, false}, grid, Scalar::float64).next() == std::vector{true, false});
+}
+
 TEST_CASE("a needle beyond the faces adds only faces along it") {
   Mesh mesh = test::icosphere(4);
   const auto v = static_cast<Index>(mesh.positions.size());
