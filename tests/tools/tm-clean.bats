@@ -299,3 +299,19 @@ shared_mesh() {
     tm-clean -q --no-provenance twice.ply | cmp - twice.ply
   done
 }
+
+@test "a movement by repair that exceeds the spacing of floats is said, and smaller ones are not" {
+  needs_command jq
+  cd "$BATS_TEST_TMPDIR"
+  # Two boxes and a cutter, whose faces coincide except for rounding. This case fails for its movement.
+  run "$tm_build/bin-test/chains" --write 3219 case
+  tm-clean case/body.ply | tm-cat - case/cutter.ply >in.ply
+  run --separate-stderr tm-clean in.ply -o out.ply --report report.json
+  assert_status 0
+  moved=$(jq .result.rounding_displacement report.json)
+  awk -v moved="$moved" 'BEGIN { exit !(moved > 1e-7) }'
+  [[ $stderr == "tm-clean: repair of faces that rounding broke moved the surface by up to $moved, farther"* ]]
+  run --separate-stderr tm-clean case/body.ply -o out.ply
+  assert_status 0
+  [ -z "$stderr" ]
+}

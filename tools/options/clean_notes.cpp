@@ -11,6 +11,9 @@ namespace {
 /// reported if the number differs from the threshold by less than this. With a larger margin, more
 /// correct decisions would be reported.
 constexpr double small_margin = 0.1;
+/// A movement of the surface by rounding and its repair is reported if it exceeds this number of
+/// spacings. The spacing of floats is this multiple of the spacing of doubles.
+constexpr double float_spacing = 0x1p29;
 
 }  // namespace
 
@@ -21,6 +24,10 @@ void note_cleaning(const CleanResult& result, Run& run) {
     run.note(
         "rounding makes faces intersect in the box: the whole mesh was cleaned to remove these "
         "intersections");
+  if (result.rounding_spacings > float_spacing)
+    run.note("repair of faces that rounding broke moved the surface by up to " +
+             shortest_text(result.rounding_displacement) +
+             ", farther than rounding to floats does");
   if (result.merge_refused > 0)
     run.note(counted(result.merge_refused, "flat region") +
              (result.merge_refused == 1 ? " keeps its faces" : " keep their faces") +
