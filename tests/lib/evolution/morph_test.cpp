@@ -52,6 +52,12 @@ TEST_CASE("a mesh that already agrees with the target needs two iterations") {
   CHECK(result.iterations == 2);
 }
 
+TEST_CASE("vertices without faces do not keep a morph from converging") {
+  Document document = ball(1);
+  document.mesh.positions.emplace_back(9, 9, 9);
+  CHECK(morphed(document, make_target(test::icosphere(4))).stop == MorphStop::converged);
+}
+
 TEST_CASE("a morph that misses a part of the target does not converge, and names the place") {
   const Mesh ball_there = test::moved(test::icosphere(3), Vec3(10, 0, 0));
   const Mesh target = test::joined(test::icosphere(3), ball_there);
