@@ -136,6 +136,8 @@ TEST_CASE("the cause of a fault is found by measuring the target") {
   CHECK(kind(test::moved(balls, {-1.05, 0, 0}), 2.2) == ErrorKind::uniform_edges_too_long);
   const Mesh far = test::joined(test::icosphere(3), test::moved(test::icosphere(3), {10, 0, 0}));
   CHECK(kind(far, 1.1) == ErrorKind::source_apart);
+  // The gap of 0.1 between the balls is narrow, but no edge length lets a mesh cross it.
+  CHECK(kind(balls, 1) == ErrorKind::source_apart);
   Mesh open = test::icosphere(3);
   open.faces.resize(open.faces.size() * 3 / 4);
   CHECK(kind(open, 1.1) == ErrorKind::target_not_solid);
