@@ -22,13 +22,14 @@ struct VelocityOptions {
 };
 
 /// Returns the sum of the velocities of both speeds and of `given`, or else of the columns if the
-/// mesh has them. Throws InputError (no_velocity) if there is neither a velocity nor a speed, or if
-/// a speed is set and border edges of the mesh coincide. Throws UsageError for a wrong number of
-/// velocities.
+/// mesh has any of them. Throws InputError (no_velocity) if there is neither a velocity nor a
+/// speed. Throws InputError if only some of the columns exist, or if a speed is set and border
+/// edges of the mesh coincide. Throws UsageError for a wrong number of velocities.
 std::vector<Vec3> velocities_of(const Mesh& mesh, const VelocityOptions& options);
 
 /// Returns the vertex columns vx, vy and vz. Throws InputError naming the missing ones.
 std::vector<Vec3> column_velocities(const Mesh& mesh);
+/// Returns true if the mesh has at least one of these columns.
 bool has_column_velocities(const Mesh& mesh);
 
 /// Returns speed * N(p), where N(p) is the angle-weighted vertex normal. A positive speed enlarges

@@ -83,7 +83,8 @@ Agreement agreement(const Mesh& mesh, const Topology& topology, const TargetQuer
       differs ? of_mesh.distance > of_target.distance : of_mesh.distance > longest / 2;
   const Farthest& worst = is_of_mesh ? of_mesh : of_target;
   Agreement result{{}, {}, of_mesh.distance, of_target.distance};
-  result.mismatch = {worst.point, worst.distance, longest, differs, goal.topology.has_value()};
+  result.mismatch = {worst.point, worst.distance, !is_of_mesh,
+                     longest,     differs,        goal.topology.has_value()};
   result.fault = differs ? topology_fault(topology, *goal.topology, worst.point)
                          : distance_fault(of_mesh, of_target, longest);
   return result;

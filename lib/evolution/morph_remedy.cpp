@@ -41,12 +41,15 @@ std::optional<Problem> narrowest(const Target& target, double edge, bool has_uni
   return narrow_at(target.mesh.positions[v], *least, edge, has_uniform_edges);
 }
 
+bool is_far(const Mismatch& found) { return found.distance > few_edges * found.longest_edge; }
+
 // Returns a problem with a narrow place of the target, if there is one. If the topology of mesh and
-// target differs, returns the narrowest place. The cause of a difference in topology may be far
-// from the place where mesh and target are farthest apart.
+// target differs, returns the narrowest place: the cause may be far from the place where mesh and
+// target are farthest apart. A part of the target that is far from the mesh was not reached,
+// however narrow other parts are.
 std::optional<Problem> narrow_place(const TargetQuery& target, const Mismatch& found) {
   const double edge = found.longest_edge;
-  if (found.is_of_topology)
+  if (found.is_of_topology && !(found.is_on_target && is_far(found)))
     return narrowest(measured(target.target(), edge), edge, found.has_uniform_edges);
   const double width = local_thickness_near(target, found.place, edges_across * edge);
   if (!std::isfinite(width)) return std::nullopt;
@@ -59,8 +62,8 @@ Problem cause_of(const TargetQuery& target, const Mismatch& found) {
   const double edge = found.longest_edge;
   if (!found.has_clean_target) return {ErrorKind::target_not_solid, "", {.lengths = {edge}}};
   if (const auto narrow = narrow_place(target, found)) return *narrow;
-  const bool is_far = found.distance > few_edges * edge;
-  return {is_far ? ErrorKind::source_apart : ErrorKind::edges_too_long, "", {.lengths = {edge}}};
+  return {
+      is_far(found) ? ErrorKind::source_apart : ErrorKind::edges_too_long, "", {.lengths = {edge}}};
 }
 
 Problem cause_of_vanishing(const Target& target, double longest_edge, bool has_uniform_edges) {

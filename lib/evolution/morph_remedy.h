@@ -15,6 +15,7 @@ namespace transformesh {
 struct Mismatch {
   Vec3 place = Vec3::Zero();  ///< point of mesh or target that is farthest from the other surface
   double distance = 0;        ///< distance of `place` from the other surface; input units
+  bool is_on_target = false;  ///< true if `place` is a point of the target
   double longest_edge = 0;    ///< length of the longest edge of the mesh, in input units
   /// True if mesh and target differ in the number of components or in the genus.
   bool is_of_topology = false;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "geometry/search/hilbert.h"
 #include "mesh/local_measures.h"
 #include "step/displace_measured.h"
 #include "step/morph_step_query.h"
@@ -51,8 +50,7 @@ MorphStepResult morph_step(Mesh& mesh, const TargetQuery& query, const MorphStep
   progress("distance to target");
   HalfedgeLengths edges;
   std::vector<Index> order;
-  parallel_invoke([&] { edges = halfedge_lengths(mesh); },
-                  [&] { order = hilbert_order(mesh.positions); });
+  parallel_invoke([&] { edges = halfedge_lengths(mesh); }, [&] { order = surface_order(mesh); });
   MorphVelocities morph;
   parallel_invoke(
       [&] {

@@ -90,13 +90,14 @@ double distance_to_planes(const Vec3& p, std::span<const Vec3> points,
 
 // Searches the target from every vertex. The distance to tangent planes is not continuous, so it
 // cannot be estimated from the distances of other vertices.
-Found search_vertices(const Mesh& mesh, const TargetQuery& query, std::size_t planes) {
+Found search_vertices(const Mesh& mesh, const TargetQuery& query, std::size_t planes,
+                      std::span<const Index> order) {
   const Target& target = query.target();
   const KdTree& tree = query.vertices();
   const std::vector<Vec3>& normals = query.normals();
   Found found{std::vector<double>(mesh.positions.size()), room_for_thickness(mesh, target)};
-  parallel_for(mesh.positions.size(), queries_per_task, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) {
+  parallel_for(order.size(), queries_per_task, [&](std::size_t first, std::size_t last) {
+    for (const Index v : order.subspan(first, last - first)) {
       const Vec3& p = mesh.positions[v];
       const std::vector<Index> nearest = tree.nearest(p, planes);
       found.distances[v] = distance_to_planes(p, target.mesh.positions, normals, nearest);
@@ -127,18 +128,28 @@ std::vector<Vec3> thinned(std::span<const Vec3> points, std::size_t most) {
   return result;
 }
 
-DistanceSummary summary(std::span<const double> distances) {
+/// Summarizes `count` distances; all other entries of `distances` are 0.
+DistanceSummary summary(std::span<const double> distances, std::size_t count) {
   DistanceSummary result;
   double squares = 0;
   for (const double distance : distances) {
     result.maximum = std::max(result.maximum, std::abs(distance));
     squares += distance * distance;
   }
-  if (!distances.empty()) result.rms = std::sqrt(squares / static_cast<double>(distances.size()));
+  if (count > 0) result.rms = std::sqrt(squares / static_cast<double>(count));
   return result;
 }
 
 }  // namespace
+
+std::vector<Index> surface_order(const Mesh& mesh) {
+  std::vector<char> is_used(mesh.positions.size(), 0);
+  for (const Face& face : mesh.faces)
+    for (const Index v : face) is_used[v] = 1;
+  std::vector<Index> order = hilbert_order(mesh.positions);
+  std::erase_if(order, [&](Index v) { return is_used[v] == 0; });
+  return order;
+}
 
 MorphVelocities morph_velocities(const Mesh& mesh, const TargetQuery& target,
                                  const MorphVelocityOptions& options, const Progress& progress,
@@ -152,12 +163,13 @@ MorphVelocities morph_velocities(const Mesh& mesh, const TargetQuery& target,
   progress("distance to target");
   const std::size_t planes = options.distance == MorphDistance::points ? planes_of_points : 1;
   std::vector<Vec3> normals = vertex_normals(mesh);
-  if (by_surface && order.empty()) order = hilbert_order(mesh.positions);
+  if (order.empty()) order = surface_order(mesh);
   Found found = by_surface ? search_surface(mesh, target, options.exact_within, order)
-                           : search_vertices(mesh, target, planes);
+                           : search_vertices(mesh, target, planes, order);
 
   const std::vector<double>& phi = found.distances;
-  MorphVelocities result{std::move(normals), summary(phi), std::move(found.thickness)};
+  MorphVelocities result{std::move(normals), summary(phi, order.size()),
+                         std::move(found.thickness)};
   for (std::size_t v = 0; v < phi.size(); ++v) result.velocities[v] *= -phi[v];
   return result;
 }
@@ -166,7 +178,7 @@ DistanceSummary distance_from_target(const Target& target, const Mesh& mesh, dou
                                      const Progress& progress, std::vector<Index> order) {
   if (mesh.faces.empty()) throw InputError("the mesh has no faces");
   progress("distance from target");
-  if (order.empty()) order = hilbert_order(mesh.positions);
+  if (order.empty()) order = surface_order(mesh);
   const KdTree tree(mesh.positions, order);
   const VertexFaces faces_at(mesh);
   const std::vector<Vec3> points = thinned(target.mesh.positions, most_vertices_of_target);
@@ -175,7 +187,8 @@ DistanceSummary distance_from_target(const Target& target, const Mesh& mesh, dou
     const Index nearest = tree.nearest(p);
     return searched_distance(p, closest_around_vertex(p, mesh, nearest, faces_at[nearest]));
   };
-  return summary(sample_distance(points, hilbert_order(points), exact_within, search));
+  return summary(sample_distance(points, hilbert_order(points), exact_within, search),
+                 points.size());
 }
 
 }  // namespace transformesh

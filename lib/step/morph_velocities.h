@@ -37,14 +37,18 @@ struct MorphVelocityOptions {
 
 struct MorphVelocities {
   std::vector<Vec3> velocities;  ///< velocity of each vertex of the mesh
-  DistanceSummary to_target;     ///< summary of |phi| over the vertices of the mesh
+  DistanceSummary to_target;     ///< summary of |phi| over the vertices of faces
   /// Thickness of the target at the face or vertex closest to each vertex; infinity beyond
   /// `exact_within`. Empty if the target's thickness is not measured.
   std::vector<double> thickness;
 };
 
-/// Returns the velocities of a mesh. `order` may be hilbert_order() of the vertices; if it is
-/// empty, it is computed. Throws InputError for a mesh without faces, and UsageError for
+/// Returns the vertices of faces along the Hilbert curve (hilbert.h). Other vertices are not part
+/// of the surface: they do not move, and no distance counts them.
+std::vector<Index> surface_order(const Mesh& mesh);
+
+/// Returns the velocities of a mesh. `order` may be surface_order() of the mesh; if it is empty, it
+/// is computed. Throws InputError for a mesh without faces, and UsageError for
 /// MorphDistance::surface if the target has no faces.
 MorphVelocities morph_velocities(const Mesh& mesh, const TargetQuery& target,
                                  const MorphVelocityOptions& options = {},

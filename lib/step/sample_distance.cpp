@@ -45,11 +45,11 @@ std::vector<double> sample_distance(
     std::span<const Vec3> points, std::span<const Index> order, double exact_within,
     const std::function<SearchedDistance(Index point, double sign, Index hint)>& search) {
   std::vector<double> distances(points.size());
-  const std::size_t runs = (points.size() + run_length - 1) / run_length;
+  const std::size_t runs = (order.size() + run_length - 1) / run_length;
   parallel_for(runs, 1, [&](std::size_t first_run, std::size_t last_run) {
     for (std::size_t run = first_run; run < last_run; ++run) {
       Anchor anchor;
-      const std::size_t end = std::min((run + 1) * run_length, points.size());
+      const std::size_t end = std::min((run + 1) * run_length, order.size());
       for (std::size_t i = run * run_length; i < end; ++i) {
         const Vec3& point = points[order[i]];
         const bool is_far = anchor.is_far(point, exact_within);

@@ -30,10 +30,11 @@ struct SearchedDistance {
 inline constexpr double far_tolerance = 0.05;
 
 /// Returns the signed distance of each point. `order` must be the result of hilbert_order() for the
-/// points. `search` receives the index of a point and is called from several threads. If its
-/// argument `sign` is 0, `search` must return the exact distance. Otherwise `sign` is the sign of
-/// the distance to return, and this distance may be too large by the fraction far_tolerance. `hint`
-/// is the closest face of a nearby point, or no_index.
+/// points, or a part of it in the same order; the distance of all other points is 0. `search`
+/// receives the index of a point and is called from several threads. If its argument `sign` is 0,
+/// `search` must return the exact distance. Otherwise `sign` is the sign of the distance to return,
+/// and this distance may be too large by the fraction far_tolerance. `hint` is the closest face of
+/// a nearby point, or no_index.
 std::vector<double> sample_distance(
     std::span<const Vec3> points, std::span<const Index> order, double exact_within,
     const std::function<SearchedDistance(Index point, double sign, Index hint)>& search);

@@ -70,7 +70,7 @@ std::vector<Vec3> velocities_of(const Mesh& mesh, const VelocityOptions& options
 }
 
 bool has_column_velocities(const Mesh& mesh) {
-  return std::all_of(velocity_names.begin(), velocity_names.end(),
+  return std::any_of(velocity_names.begin(), velocity_names.end(),
                      [&](const char* name) { return mesh.vertex_columns.find(name) != nullptr; });
 }
 

@@ -161,6 +161,7 @@ END
   refused 'give either --flow NAME or --velocity COMMAND' --time 1
   refused 'give either --flow NAME or --velocity COMMAND' --time 1 --flow abc --velocity cat
   refused 'the motion is missing'
+  refused '--time must be above 0' --time 0 --flow rotation
   refused '--max-move needs --time T' --step cat --max-move 1
   refused '--alpha cannot be combined with --time' --time 1 --velocity cat --alpha 1
   refused '--step cannot be combined with --time' --time 1 --step cat

@@ -515,6 +515,8 @@ plate_with_window() { # WIDTH
 2 '$sphere' --target '$torus' --resume
 2 '$sphere' --target '$torus' --sequence
 2 '$sphere' --target '$torus' -o out.ply --smooth much
+2 '$sphere' --target '$torus' -o out.ply --alpha 0
+2 '$sphere' --target '$torus' -o out.ply --time-step 0
 3 '$sphere' --target absent.ply -o out.ply
 3 absent.ply --target '$torus' -o out.ply
 LINES

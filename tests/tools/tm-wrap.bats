@@ -45,6 +45,20 @@ setup() {
   [ "$status" -eq 1 ]
 }
 
+@test "options of the method alpha are refused if they are 0 or if the method is poisson" {
+  awk '{ print $1, $2, $3, 0, 0, 1 }' points.xyz >oriented.xyz
+  for option in --alpha --offset; do
+    for how in '--method poisson' '--method auto'; do
+      run --separate-stderr tm-wrap oriented.xyz $how $option 0.1
+      assert_status 2
+      [[ $stderr == *'--alpha and --offset need --method alpha' ]]
+    done
+    run --separate-stderr tm-wrap points.xyz $option 0
+    assert_status 2
+    [[ $stderr == *"$option must be above 0" ]]
+  done
+}
+
 @test "of a mesh the vertices are wrapped" {
   tm-shape sphere --faces 2000 | tm-wrap --alpha 20% -o wrap.ply
   tm-checkmanifold --closed wrap.ply
@@ -57,12 +71,14 @@ setup() {
   { cat oriented.xyz; echo 'nan 0 0 0 0 1'; } >bad.xyz
   sed '7s/[^ ]*$/nan/' oriented.xyz >bad_normal.xyz
   for method in alpha poisson; do
-    tm-wrap oriented.xyz --method $method --alpha 0.2 -o whole.ply
-    run --separate-stderr tm-wrap bad.xyz --method $method --alpha 0.2 -o wrap.ply
+    how=(--method "$method")
+    if [ $method = alpha ]; then how+=(--alpha 0.2); fi
+    tm-wrap oriented.xyz "${how[@]}" -o whole.ply
+    run --separate-stderr tm-wrap bad.xyz "${how[@]}" -o wrap.ply
     assert_status 0
     [[ $stderr == *'1 vertex with a coordinate that is not finite dropped' ]]
     cmp whole.ply wrap.ply
-    run --separate-stderr tm-wrap bad_normal.xyz --method $method --alpha 0.2 -o wrap.ply --report r.json
+    run --separate-stderr tm-wrap bad_normal.xyz "${how[@]}" -o wrap.ply --report r.json
     assert_status 0
     [[ $stderr == *'1 normal that is not finite becomes 0'* ]]
     if [ $method = alpha ]; then

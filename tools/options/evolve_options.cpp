@@ -34,6 +34,7 @@ void refuse(const Program& program, std::initializer_list<const char*> names,
 }
 
 void check_step(const EvolveChoices& choices, const Program& program) {
+  refuse(program, {"time"}, " must be above 0");
   if (choices.step.empty()) {
     throw UsageError(
         "the motion is missing: give --step COMMAND, or --time T with --flow "

@@ -78,6 +78,9 @@ void declare_morph(Program& program, MorphChoices& choices) {
 }
 
 void check_morph(const MorphChoices& choices, const Run& run) {
+  const DisplaceOptions& movement = choices.options.step.displace;
+  if (movement.alpha == 0 || movement.time_step == 0)
+    throw UsageError("--alpha and --time-step must be above 0: otherwise no vertex moves");
   const std::vector<std::string>& inputs = run.in().names();
   if (choices.sequence) {
     if (!choices.target.empty()) throw UsageError("give either --target or --sequence, not both");

@@ -22,11 +22,17 @@ struct Options {
   bool keep_outliers = false;
 };
 
+/// Returns 0, which stands for the library's default, if the option is not given.
+double size_of(const std::optional<Length>& length, const std::string& option, tool::Run& run) {
+  if (!length) return 0;
+  const double size = run.length(*length);
+  if (size == 0) throw UsageError(option + " must be above 0");
+  return size;
+}
+
 Mesh wrap_positions(const std::vector<Vec3>& positions, const Options& options, tool::Run& run) {
-  AlphaWrapOptions wrap;
-  if (options.alpha) wrap.alpha = run.length(*options.alpha);
-  if (options.offset) wrap.offset = run.length(*options.offset);
-  AlphaWrap result = alpha_wrap(positions, wrap);
+  AlphaWrap result = alpha_wrap(positions, {size_of(options.alpha, "--alpha", run),
+                                            size_of(options.offset, "--offset", run)});
   run.report("alpha", result.alpha);
   run.report("offset", result.offset);
   run.report("least_distance", result.least_distance);
@@ -51,6 +57,9 @@ void wrap(const Options& options, tool::Run& run) {
     throw InputError(name + ": the points have no normals, which --method poisson needs");
   run.in().set_basis(diagonal_of(positions));
   const bool is_poisson = options.method != "alpha" && !normals.empty();
+  if (is_poisson && (options.alpha || options.offset))
+    throw UsageError(
+        "the method for these points is poisson, and --alpha and --offset need --method alpha");
   if (is_poisson) note_without_normal(normals, run);
   run.report("method", is_poisson ? "poisson" : "alpha");
 

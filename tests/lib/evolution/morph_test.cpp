@@ -52,6 +52,12 @@ TEST_CASE("a mesh that already agrees with the target needs two iterations") {
   CHECK(result.iterations == 2);
 }
 
+TEST_CASE("vertices without faces do not keep a morph from converging") {
+  Document document = ball(1);
+  document.mesh.positions.emplace_back(9, 9, 9);
+  CHECK(morphed(document, make_target(test::icosphere(4))).stop == MorphStop::converged);
+}
+
 TEST_CASE("a morph that misses a part of the target does not converge, and names the place") {
   const Mesh ball_there = test::moved(test::icosphere(3), Vec3(10, 0, 0));
   const Mesh target = test::joined(test::icosphere(3), ball_there);
@@ -130,6 +136,8 @@ TEST_CASE("the cause of a fault is found by measuring the target") {
   CHECK(kind(test::moved(balls, {-1.05, 0, 0}), 2.2) == ErrorKind::uniform_edges_too_long);
   const Mesh far = test::joined(test::icosphere(3), test::moved(test::icosphere(3), {10, 0, 0}));
   CHECK(kind(far, 1.1) == ErrorKind::source_apart);
+  // The gap of 0.1 between the balls is narrow, but no edge length lets a mesh cross it.
+  CHECK(kind(balls, 1) == ErrorKind::source_apart);
   Mesh open = test::icosphere(3);
   open.faces.resize(open.faces.size() * 3 / 4);
   CHECK(kind(open, 1.1) == ErrorKind::target_not_solid);

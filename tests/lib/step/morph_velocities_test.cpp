@@ -235,6 +235,23 @@ TEST_CASE("velocities do not depend on the number of threads") {
   }
 }
 
+TEST_CASE("vertices without faces count in no distance, and do not move") {
+  const Target target = make_target(test::torus(1, 0.4, 24, 12));
+  const Mesh mesh = jittered_sphere(1.1);
+  Mesh strewn = mesh;
+  strewn.positions.emplace_back(9, 9, 9);
+  strewn.positions.push_back(target.mesh.positions.front());
+  for (const auto distance :
+       {MorphDistance::surface, MorphDistance::vertex, MorphDistance::points}) {
+    const MorphVelocities result = morph_velocities(strewn, target, {distance});
+    const DistanceSummary expected = morph_velocities(mesh, target, {distance}).to_target;
+    CHECK(result.to_target.rms == Approx(expected.rms));
+    CHECK(result.to_target.maximum == expected.maximum);
+    CHECK(result.velocities[mesh.positions.size()] == Vec3::Zero());
+  }
+  CHECK(distance_from_target(target, strewn).rms == distance_from_target(target, mesh).rms);
+}
+
 TEST_CASE("a mesh without faces does not move") {
   Mesh points;
   points.positions = {{0, 0, 0}};

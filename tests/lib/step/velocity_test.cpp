@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <string>
 
 #include "helpers/shapes.h"
 #include "transformesh/shapes.h"
@@ -113,6 +114,17 @@ TEST_CASE("columns are used if no velocities are given, and missing velocities r
   VelocityOptions given;
   given.given.emplace(mesh.positions.size(), Vec3(1, 2, 3));
   CHECK(velocities_of(mesh, given)[5] == Vec3(1, 2, 3));
+}
+
+TEST_CASE("a velocity without one of its coordinates is refused, even if a speed is given") {
+  for (const std::string missing : {"vx", "vy", "vz"}) {
+    Mesh mesh = test::icosphere(1);
+    for (const std::string name : {"vx", "vy", "vz"})
+      if (name != missing) mesh.vertex_columns.get(name, Scalar::float64, mesh.positions.size());
+    VelocityOptions options;
+    options.normal_speed = 1;
+    CHECK_THROWS_AS(velocities_of(mesh, options), InputError);
+  }
 }
 
 TEST_CASE("a wrong number of velocities is refused before any is added") {
