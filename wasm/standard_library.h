@@ -124,6 +124,10 @@ auto find(Range&& range, const T& value, Projection projection = {}) {
   return std::find_if(std::begin(range), std::end(range),
                       [&](const auto& element) { return invoke(projection, element) == value; });
 }
+template <class Range, class Test>
+auto adjacent_find(Range&& range, Test test) {
+  return std::adjacent_find(std::begin(range), std::end(range), test);
+}
 template <class Range, class T>
 auto count(Range&& range, const T& value) {
   return std::count(std::begin(range), std::end(range), value);

@@ -26,6 +26,15 @@ setup() {
   [[ $output != *a::Other* ]]
 }
 
+@test "algorithms of std::ranges that the WebAssembly build does not have are found" {
+  printf '%s\n' 'bool is_in = std::ranges::find(a, 3) != a.end();' 'std::ranges::sort(a);' >first.cpp
+  "$checks/ranges.sh" first.cpp
+  echo 'std::ranges::rotate(a, a.begin() + 1);' >second.cpp
+  run ! "$checks/ranges.sh" first.cpp second.cpp
+  [[ $output == *'second.cpp uses std::ranges::rotate, which'* ]]
+  [[ $output != *first.cpp* ]]
+}
+
 @test "names of options and programs in strings are found" {
   printf '%s\n' '// mend it by tm-stitch --orient' 'int f(int i) { return --i; }' \
     'const char* page = "<!--tm:title-->";' 'const char* text = "not oriented";' >clean.cpp
