@@ -83,8 +83,7 @@ class SparseTriangulation {
  public:
   using Edge = std::pair<Index, Index>;
   SparseTriangulation(const HoleBorder& border, std::vector<Edge> edges)
-      : border_(border),
-        weigher_(border),
+      : weigher_(border),
         size_(static_cast<Index>(border.points.size())),
         edges_(std::move(edges)),
         to_(size_),
@@ -123,7 +122,6 @@ class SparseTriangulation {
   using SubpolygonsTo = std::vector<std::pair<Index, HoleSubpolygon>>;
   HoleSubpolygon best_between(Index i, Index k) const;
 
-  const HoleBorder& border_;
   HoleWeights weigher_;
   Index size_;
   std::vector<Edge> edges_;
