@@ -49,7 +49,8 @@ TEST_CASE("a threshold of the cosine excludes faces at grazing angles") {
   const std::vector<View> views{test::photograph(0, 1)};
   const auto count = [&](double least_cosine) {
     VisibleSurface room;
-    const VisibleSurface& surface = SeenViews(mesh, views, least_cosine).surface(0, room);
+    const SeenViews seen(mesh, views, least_cosine);
+    const VisibleSurface& surface = seen.surface(0, room);
     return std::ranges::count_if(surface.depth.pixels, [](float depth) { return depth > 0; });
   };
   CHECK(count(.9) < count(.5));
