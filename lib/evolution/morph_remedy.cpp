@@ -8,6 +8,7 @@
 #include "step/local_thickness.h"
 #include "step/target_query.h"
 #include "support/number.h"
+#include "transformesh/measure.h"
 
 namespace transformesh {
 namespace {
@@ -20,8 +21,16 @@ constexpr double few_edges = 3;
 /// A gap is resolved by edges that are shorter than the width of the gap divided by this number.
 constexpr double edges_across = 2;
 
+/// Number of distances between measured points in a square with the area of the target. It bounds
+/// time and memory if edges are tiny, as they are where a small source has vanished.
+constexpr double most_across = 300;
+
+/// Returns the target with its thickness at points. Neighboring points are at most an edge apart,
+/// or on a large target at most a 300th of the side of that square.
 Target measured(const Target& target, double edge) {
-  return with_thickness(target, edges_across, edge);
+  const double coarsest = std::sqrt(surface_area(target.mesh)) / most_across;
+  const double spacing = std::max(edge, 2 * coarsest);
+  return with_thickness(target, edges_across * edge / spacing, spacing);
 }
 
 Problem narrow_at(const Vec3& place, double width, double edge, bool has_uniform_edges) {

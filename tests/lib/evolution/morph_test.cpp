@@ -143,6 +143,14 @@ TEST_CASE("the cause of a fault is found by measuring the target") {
   CHECK(kind(open, 1.1) == ErrorKind::target_not_solid);
 }
 
+TEST_CASE("the cause that a surface vanishes is found for edges of any length") {
+  const Target wide = make_target(test::icosphere(3));
+  for (const double edge : {1e-2, 1e-6, 1e-150, 1e-310})
+    CHECK(cause_of_vanishing(wide, edge, true).kind == ErrorKind::source_apart);
+  const Target plate = make_target(test::cuboid({-1, -1, -5e-7}, {1, 1, 5e-7}));
+  CHECK(cause_of_vanishing(plate, 1e-6, true).kind == ErrorKind::uniform_edges_too_long);
+}
+
 TEST_CASE("a surface that vanishes on a thin plate says so; shorter edges there reach it") {
   const Target plate = make_target(test::cuboid({-1, -1, -0.02}, {1, 1, 0.02}));
   Document document = ball(1.5);
