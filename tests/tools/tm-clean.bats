@@ -303,7 +303,8 @@ shared_mesh() {
 @test "a movement by repair that exceeds the spacing of floats is said, and smaller ones are not" {
   needs_command jq
   cd "$BATS_TEST_TMPDIR"
-  # Two boxes and a cutter, whose faces coincide except for rounding. This case fails for its movement.
+  # Two boxes and a cutter, whose faces coincide except for rounding. The program chains counts this
+  # case as failed, because of its movement.
   run "$tm_build/bin-test/chains" --write 3219 case
   tm-clean case/body.ply | tm-cat - case/cutter.ply >in.ply
   run --separate-stderr tm-clean in.ply -o out.ply --report report.json
