@@ -1,6 +1,7 @@
 #include "mesh/touching_borders.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "mesh/edges.h"
@@ -30,37 +31,54 @@ std::vector<Index> border_halfedges(const Mesh& mesh) {
   return borders;
 }
 
-/// Returns the index of the position of each halfedge end, source and target in turn. Equal
-/// positions have equal indices.
+/// Returns a number for each vertex of the halfedges, and no_index for all other vertices. Vertices
+/// have equal numbers if their positions are equal.
 std::vector<Index> numbered_places(const Mesh& mesh, const std::vector<Index>& halfedges) {
-  std::vector<std::pair<Vec3, std::size_t>> ends;
-  for (const Index h : halfedges) {
-    ends.emplace_back(mesh.positions[halfedge_source(mesh, h)], ends.size());
-    ends.emplace_back(mesh.positions[halfedge_target(mesh, h)], ends.size());
-  }
-  std::ranges::sort(ends, [](const auto& a, const auto& b) {
+  std::vector<Index> places(mesh.positions.size(), no_index);
+  std::vector<std::pair<Vec3, Index>> vertices;
+  vertices.reserve(halfedges.size());
+  for (const Index h : halfedges)
+    for (const Index v : {halfedge_source(mesh, h), halfedge_target(mesh, h)})
+      if (std::exchange(places[v], 0) == no_index) vertices.emplace_back(mesh.positions[v], v);
+  std::ranges::sort(vertices, [](const auto& a, const auto& b) {
     return std::ranges::lexicographical_compare(a.first, b.first);
   });
-  std::vector<Index> places(ends.size());
   Index place = 0;
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    if (i > 0 && ends[i].first != ends[i - 1].first) ++place;
-    places[ends[i].second] = place;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    if (i > 0 && vertices[i].first != vertices[i - 1].first) ++place;
+    places[vertices[i].second] = place;
   }
   return places;
+}
+
+/// An edge between two places, and whether its halfedge leads from the larger number to the
+/// smaller.
+using PlacedEdge = std::tuple<Index, Index, bool>;
+
+std::vector<PlacedEdge> placed_edges(const Mesh& mesh, const std::vector<Index>& halfedges) {
+  const std::vector<Index> places = numbered_places(mesh, halfedges);
+  std::vector<PlacedEdge> edges;
+  edges.reserve(halfedges.size());
+  for (const Index h : halfedges) {
+    const Index from = places[halfedge_source(mesh, h)], to = places[halfedge_target(mesh, h)];
+    if (from != to) edges.emplace_back(std::min(from, to), std::max(from, to), from > to);
+  }
+  return edges;
 }
 
 }  // namespace
 
 std::size_t count_touching_borders(const Mesh& mesh, const std::vector<Index>& borders) {
-  const std::vector<Index> places = numbered_places(mesh, borders);
-  std::vector<std::pair<Index, Index>> edges;
-  for (std::size_t i = 0; i < places.size(); i += 2)
-    if (places[i] != places[i + 1]) edges.emplace_back(places[i], places[i + 1]);
+  std::vector<PlacedEdge> edges = placed_edges(mesh, borders);
   std::ranges::sort(edges);
-  return static_cast<std::size_t>(std::ranges::count_if(edges, [&](const auto& edge) {
-    return std::ranges::binary_search(edges, std::pair(edge.second, edge.first));
-  }));
+  std::size_t count = 0;
+  for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+    const auto [a, b, is_first_reversed] = edges[begin];
+    while (end < edges.size() && std::get<0>(edges[end]) == a && std::get<1>(edges[end]) == b)
+      ++end;
+    if (std::get<2>(edges[end - 1]) != is_first_reversed) count += end - begin;
+  }
+  return count;
 }
 
 std::size_t count_touching_borders(const Mesh& mesh) {

@@ -64,7 +64,8 @@ class Repair {
   RepairResult run();
 
  private:
-  MeshCheck check() const;
+  MeshCheck check(bool intersections) const;
+  bool is_done() const;
   void join();
   void stitch(StitchOptions options);
   void fill_and_clean();
@@ -81,12 +82,21 @@ class Repair {
   double crack_width_ = 0;
 };
 
-MeshCheck Repair::check() const {
+MeshCheck Repair::check(bool intersections) const {
   CheckMeshOptions options;
   options.closed = !options_.keep_open;
-  options.intersections = true;
+  options.intersections = intersections;
   options.coordinate = options_.coordinate;
   return check_mesh(steps_.mesh(), options, progress_);
+}
+
+// True if nothing needs repair. Intersections are searched last, because separate triangles that
+// share edges intersect each other, which makes this search several times slower.
+bool Repair::is_done() const {
+  const Mesh& mesh = steps_.mesh();
+  return is_solid(check(false), options_.keep_open) &&
+         find_intersections(mesh, progress_).empty() && !has_inward_bodies(mesh) &&
+         !has_bodies_in_bodies(mesh);
 }
 
 // Stitches the mesh. A one-sided surface cannot be oriented. It stays open at the edges where faces
@@ -146,7 +156,7 @@ void Repair::drop_shards() {
 }
 
 void Repair::refuse_unless_solid() const {
-  const MeshCheck found = check();
+  const MeshCheck found = check(true);
   if (is_solid(found, options_.keep_open)) return;
   const Mesh& mesh = steps_.mesh();
   if (const std::vector<Index> flat = degenerate_faces(mesh); !flat.empty())
@@ -171,8 +181,7 @@ void Repair::refuse_large_change() const {
 RepairResult Repair::run() {
   RepairResult result;
   const Sizes before = sizes_of(input_);
-  if (!is_solid(check(), options_.keep_open) || has_inward_bodies(input_) ||
-      has_bodies_in_bodies(input_)) {
+  if (!is_done()) {
     join();
     fill_and_clean();
     drop_shards();
