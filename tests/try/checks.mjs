@@ -48,6 +48,19 @@ const checks = {
     });
   },
 
+  // FOLDER KIND FIELDS FILE...: pictures of the page with the result in three sizes, the last one dark.
+  async pictures(folder, kind, fields, ...files) {
+    for (const [size, options] of Object.entries(sizes)) {
+      await withSite(site, {...options, dark: size === 'large'}, async (page) => {
+        await drop(page, ...files);
+        await measured(page, files.length);
+        await start(page, kind, JSON.parse(fields));
+        await measured(page, files.length + 1);
+        await page.screenshot({path: join(folder, `picture-${size}.png`)});
+      });
+    }
+  },
+
   // FILE TASK FIELDS TASK FIELDS: the second task is one on the result of the first.
   async chain(folder, file, first, second, format) {
     await withSite(site, {}, async (page) => {
