@@ -154,10 +154,10 @@ wait_for_rows() { # COUNT
   assert_status 4
   [ "${#stderr_lines[@]}" -eq 3 ]
   [[ ${stderr_lines[0]} == *"apart from the target"* ]]
-  [[ ${stderr_lines[1]} =~ ^tm-morph:\ iteration\ ([0-9]+):\  ]]
+  [[ ${stderr_lines[2]} =~ ^tm-morph:\ iteration\ ([0-9]+):\  ]]
   failed=${BASH_REMATCH[1]}
   last=$((failed - 1))
-  [ "${stderr_lines[2]}" = "tm-morph: stopped in iteration $failed; 'out.ply' holds the mesh of iteration $last; continue with --resume" ]
+  [ "${stderr_lines[1]}" = "tm-morph: stopped in iteration $failed; 'out.ply' holds the mesh of iteration $last; continue with --resume" ]
   tm-morph small.ply --target "$torus" -o last.ply --iterations "$last" --frames frames --every "$last" -q
   same_mesh out.ply "frames/frame-$(printf %05d "$last").ply"
   run --separate-stderr tm-morph small.ply --target "$torus" -o again.ply --resume

@@ -101,8 +101,8 @@ compared() { # KEY MESH
   # continued.
   run --separate-stderr "${reconstruct[@]}" "${few[@]}" -o out.ply --frames frames --every 2
   assert_status 5
-  [[ ${stderr_lines[0]} == "tm-reconstruct: cannot write 'frames/frame-00002.ply': "* ]]
-  [[ ${stderr_lines[1]} == *"stopped in sweep 2; 'out.ply' holds the mesh of sweep 1; continue with --resume"* ]]
+  [[ ${stderr_lines[0]} == *"stopped in sweep 2; 'out.ply' holds the mesh of sweep 1; continue with --resume"* ]]
+  [[ ${stderr_lines[1]} == "tm-reconstruct: cannot write 'frames/frame-00002.ply': "* ]]
   cp out.ply first.ply
   run --separate-stderr "${reconstruct[@]}" "${few[@]}" -o out.ply
   assert_status 2

@@ -69,6 +69,9 @@ const isUsageError = (error) => error instanceof tm.TransforMeshError && error.c
 await assert.rejects(tm.clean(ball, { colour: true }), isUsageError);
 await assert.rejects(tm.read(new Uint8Array(0), 'empty.ply'), (error) => error.code === 3);
 await assert.rejects(tm.boolean('union', []), (error) => error.code === 3);
+// The message is the reason, although a loop also says which mesh it keeps.
+const far = new tm.Mesh(ball.positions.map((x) => x / 10 + 9), ball.faces);
+await assert.rejects(tm.morph(far, ball), /shrinks to nothing/);
 const refused = await tm.clean(folded, { refuse: true }).catch((error) => error);
 assert.equal(refused.code, 4);
 assert.deepEqual(refused.messages.at(-1), `tm-clean: ${refused.message}`);

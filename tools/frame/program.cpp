@@ -249,9 +249,9 @@ int Program::run(int argc, char** argv, const std::function<void(Run&)>& body) {
     body(*run);
     return run->finish();
   } catch (const std::exception& error) {
-    const int code = tell(error, *this, terminal);
+    // The reason comes last, because callers often show only the last line.
     if (run) run->out().write_kept();
-    return code;
+    return tell(error, *this, terminal);
   }
 }
 

@@ -159,8 +159,8 @@ TEST_CASE("a failure that leaves a state names it") {
   };
   CHECK(place.evolve({"t.ply", "-o", "out.ply", "-q"}, body) == 4);
   CHECK(place.errors() ==
-        "tm-x: no edge is left\n"
-        "tm-x: stopped in iteration 2; 'out.ply' holds the mesh of iteration 1\n");
+        "tm-x: stopped in iteration 2; 'out.ply' holds the mesh of iteration 1\n"
+        "tm-x: no edge is left\n");
   CHECK(place.mesh("out.ply").mesh.positions[0].z() == 1);
   CHECK(place.evolve({"t.ply"}, body) == 4);
   CHECK(place.text("stdout").empty());
